@@ -1,6 +1,7 @@
 //! An item with another key than its file states: what is marked when a key was found to be wrong after the sheets were
 //! handed out.
 
+use super::own;
 use super::read::{self, Parsers};
 use super::{Part, Template};
 use crate::answer::AnswerKind;
@@ -59,10 +60,22 @@ impl Template {
     /// assert_eq!(grade::mark(&solution, place, "12.6 rad/s").verdict, Verdict::Right);
     /// ```
     pub fn with_key(&self, part: &str, key: &Value) -> Result<Self, CorrectionError> {
+        self.with_keys(&[(part, key)])
+    }
+
+    /// The same with the keys of several parts, each named once.
+    ///
+    /// # Errors
+    ///
+    /// [`CorrectionError`].
+    pub fn with_keys(&self, keys: &[(&str, &Value)]) -> Result<Self, CorrectionError> {
         let problems = Problems::default();
-        let mut tree = toml::read(&self.source, &problems);
-        self.correct(&mut tree, part, key)?;
-        self.read_again(&tree, part)
+        let mut tree = own::in_form(toml::read(&self.source, &problems));
+        for (part, key) in keys {
+            self.correct(&mut tree, part, key)?;
+        }
+        let parts: Vec<&str> = keys.iter().map(|(part, _)| *part).collect();
+        self.read_again(&tree, &parts.join("`, `"))
     }
 
     fn correct(&self, tree: &mut Value, part: &str, key: &Value) -> Result<(), CorrectionError> {
@@ -82,6 +95,10 @@ impl Template {
             }
             _ => {
                 set(table, "key", unplaced(key).data);
+                // As such a question may state a fixed value.
+                if self.id.is_own() && own.answer.kind() == AnswerKind::Numeric {
+                    own::fix(table, "key");
+                }
                 // A quantity had a unit, which a formula in its place has not.
                 let unit = own
                     .answer

@@ -33,6 +33,8 @@ mod stripped;
 mod template;
 
 pub use about::About;
+#[cfg(feature = "render")]
+pub(crate) use bounds::shortened;
 pub use catalogue::{Catalogue, Open};
 pub use compiled::{Compiled, CompiledError};
 #[cfg(feature = "render")]

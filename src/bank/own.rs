@@ -211,7 +211,7 @@ fn identify(entries: &mut Vec<Entry>, id: &str) {
 }
 
 /// Writes a fixed value as the formula language does, `20 rad/s` as `20[rad/s]`, with its unit beside it.
-fn fix(entries: &mut Vec<Entry>, key: &str) {
+pub(crate) fn fix(entries: &mut Vec<Entry>, key: &str) {
     let Some(entry) = entries.iter_mut().find(|entry| entry.key == key) else {
         return;
     };

@@ -8,7 +8,7 @@
 use std::fmt::Write as _;
 
 use super::catalogue::Catalogue;
-use super::{Compiled, Part, Template, Units};
+use super::{Compiled, Part, Template, Units, own};
 use crate::answer::AnswerKind;
 use crate::expr::{Expr, Field, Kind, Name, Shape, Type};
 use crate::quantity::NodeId;
@@ -58,8 +58,7 @@ impl Template {
 
     /// The same as the file of an item.
     fn stripped_text(&self, places: &[usize]) -> Option<String> {
-        let problems = Problems::default();
-        let tree = toml::read(&self.source, &problems);
+        let tree = self.tree();
         let file = table(&tree);
         // Texts that an item must have say nothing here.
         let mut out = String::from("[item]\ntitle = \"-\"\nsource = \"-\"\n");
@@ -93,6 +92,11 @@ impl Template {
             section(&mut out, "[part]", &keys);
         }
         Some(out)
+    }
+
+    /// The item in the form of a file, where a question of a blueprint states it, too.
+    fn tree(&self) -> Value {
+        own::in_form(toml::read(&self.source, &Problems::default()))
     }
 
     /// The data, each one of its unit.
@@ -147,8 +151,7 @@ impl Template {
         if name.as_str() == "t" {
             return Unit::parse("s").ok();
         }
-        let problems = Problems::default();
-        let tree = toml::read(&self.source, &problems);
+        let tree = self.tree();
         let file = table(&tree);
         let models = entry(file, "models").map(table).unwrap_or_default();
         let models = models.iter().map(|own| &own.value);
@@ -318,8 +321,7 @@ impl Template {
 
     /// The first coordinate of its models.
     fn coordinate(&self) -> Option<String> {
-        let problems = Problems::default();
-        let tree = toml::read(&self.source, &problems);
+        let tree = self.tree();
         let model = entry(table(&tree), "model")?;
         let coordinates = entry(table(model), "coordinates")?;
         Some(table(coordinates).first()?.key.clone())

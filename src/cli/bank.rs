@@ -2,6 +2,7 @@
 
 use std::borrow::Cow;
 use std::collections::BTreeSet;
+use std::io::{self, Write as _};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -336,6 +337,7 @@ fn refusal(findings: &[Finding]) -> Failure {
 pub(crate) fn print(findings: &[Finding]) {
     let reporter = Reporter::for_stderr();
     for finding in findings {
-        eprintln!("{}\n", reporter.draw(finding));
+        // With the colours of the reporter, which shows nothing of the file that would steer the terminal.
+        let _ = writeln!(io::stderr().lock(), "{}\n", reporter.draw(finding));
     }
 }

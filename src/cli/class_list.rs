@@ -2,6 +2,7 @@
 //! granted to single students.
 
 mod headings;
+mod notes;
 
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -39,6 +40,7 @@ pub(crate) fn read(path: &Path, columns: &Columns) -> Result<Vec<Student>, Failu
     }
     let mut students = Vec::new();
     let mut seen = BTreeMap::new();
+    let mut notes = notes::Notes::default();
     let headings = table.headings.len();
     let begins_row = |row: &TableRow<'_>| row.cells.len() == headings && headings > 1;
     for row in table.rows(&begins_row) {
@@ -65,21 +67,70 @@ pub(crate) fn read(path: &Path, columns: &Columns) -> Result<Vec<Student>, Failu
             return Err(fail(format!(", line {line}: a student without `id`"))
                 .help(format!("give `{}` one, or remove the line", width.trim())));
         }
+        if let Some(fault) = long_cell(&student) {
+            return Err(fail(format!(", line {line}: {fault}"))
+                .help("shorten it, or look for a quote or a line break that is missing there"));
+        }
+        if is_rounded(&student.id) {
+            let id = &student.id;
+            return Err(fail(format!(
+                ", line {line}: the `id` is `{id}`, which a spreadsheet has made of a long number"
+            ))
+            .help(
+                "format the column as text, and type the ids again: their last digits are lost",
+            ));
+        }
         if let Some(first) = seen.insert(student.id.clone(), line) {
             let id = &student.id;
             return Err(fail(format!(
                 ", line {line}: there are two students `{id}`, the first in line {first}"
-            )));
+            ))
+            .help("give one of them another `id`, or remove one of the lines"));
         }
+        notes.look_at(&student, line);
         students.push(student);
         if students.len() > MAX_STUDENTS {
             return Err(fail(format!(" has more than {MAX_STUDENTS} students")));
         }
     }
     if students.is_empty() {
-        return Err(fail(" names no student".to_owned()));
+        return Err(fail(" names no student".to_owned())
+            .help("give it a row for each student, below the row of headings"));
     }
+    notes.print(&shown.to_string());
     Ok(students)
+}
+
+/// A cell that is longer than what it should hold, which stands on each page of a sheet.
+fn long_cell(student: &Student) -> Option<String> {
+    /// Most letters of an `id`.
+    const MAX_ID: usize = 100;
+    /// Most letters of a name and of what else is printed.
+    const MAX_NAME: usize = 300;
+    let cells = [
+        ("id", &student.id, MAX_ID),
+        ("name", &student.name, MAX_NAME),
+        ("group", &student.group, MAX_NAME),
+        ("room", &student.room, MAX_NAME),
+        ("seat", &student.seat, MAX_NAME),
+        ("extra_time", &student.extra_time, MAX_NAME),
+    ];
+    cells.into_iter().find_map(|(name, cell, most)| {
+        let letters = cell.chars().count();
+        (letters > most).then(|| format!("`{name}` has {letters} letters, at most {most} are read"))
+    })
+}
+
+/// Whether an `id` is what a spreadsheet shows of a number that is too long for its cell, `1.23E+11`.
+fn is_rounded(id: &str) -> bool {
+    let Some((number, exponent)) = id.split_once("E+") else {
+        return false;
+    };
+    let is_number = |char: char| char.is_ascii_digit() || matches!(char, '.' | ',');
+    number.starts_with(|char: char| char.is_ascii_digit())
+        && number.chars().all(is_number)
+        && exponent.len() == 2
+        && exponent.bytes().all(|byte| byte.is_ascii_digit())
 }
 
 /// A row that cannot be read would lose a student.
@@ -89,6 +140,9 @@ fn refuse(fail: &dyn Fn(String) -> Failure, fault: &RowFault) -> Failure {
         RowFault::Open { .. } => {
             failure.help("close it, or write `\"\"` for a quote inside of a cell")
         }
-        RowFault::Wide { .. } | RowFault::Behind { .. } | RowFault::Unheaded { .. } => failure,
+        RowFault::Wide { .. }
+        | RowFault::Behind { .. }
+        | RowFault::Unheaded { .. }
+        | RowFault::Nameless { .. } => failure,
     }
 }

@@ -3,6 +3,8 @@
 use std::fmt;
 use std::process::ExitCode;
 
+use super::shown::shown;
+
 /// A command that ran to its end.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Outcome {
@@ -58,9 +60,9 @@ impl From<Outcome> for ExitCode {
 
 impl fmt::Display for Failure {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
-        writeln!(formatter, "error: {}", self.message)?;
+        writeln!(formatter, "error: {}", shown(&self.message))?;
         match &self.help {
-            Some(help) => writeln!(formatter, "help: {help}"),
+            Some(help) => writeln!(formatter, "help: {}", shown(help)),
             None => Ok(()),
         }
     }

@@ -96,20 +96,100 @@ pub(crate) fn write(path: &Path, content: &[u8], access: Access) -> Result<(), F
         }
         _ => {}
     }
-    let folder = path
-        .parent()
-        .filter(|folder| !folder.as_os_str().is_empty())
-        .unwrap_or(Path::new("."));
+    let folder = folder_of(path);
     fs::create_dir_all(folder).map_err(fail)?;
-    // In the same folder, since a file is moved in one step within a file system only.
-    let mut draft = new_draft(folder, &file_name(path), access).map_err(fail)?;
-    draft.write_all(content).map_err(fail)?;
-    // Else a crash after the move may leave the new name with nothing behind it.
-    draft.as_file().sync_data().map_err(fail)?;
+    let draft = whole_draft(folder, &file_name(path), content, access).map_err(fail)?;
     draft
         .persist(path)
         .map_err(|error| unwritable(path, &error.error))?;
     Ok(())
+}
+
+/// Writes a file that is not there yet, whole or not at all; its folder is made.
+///
+/// One that somebody has written in the meantime stays as it is: of two secrets the first may be in use.
+pub(crate) fn write_new(path: &Path, content: &[u8], access: Access) -> Result<(), Failure> {
+    let fail = |error: io::Error| unwritable(path, &error);
+    let folder = folder_of(path);
+    fs::create_dir_all(folder).map_err(fail)?;
+    let draft = whole_draft(folder, &file_name(path), content, access).map_err(fail)?;
+    match draft.persist_noclobber(path) {
+        Ok(_) => Ok(()),
+        Err(error) if error.error.kind() == io::ErrorKind::AlreadyExists => Err(exists(path)),
+        Err(error) => Err(fail(error.error)),
+    }
+}
+
+/// A file of this name is there, and stays.
+pub(crate) fn exists(path: &Path) -> Failure {
+    Failure::new(format!("`{}` exists already", path.display())).help("choose another name")
+}
+
+/// The folder in which a file stands.
+fn folder_of(path: &Path) -> &Path {
+    path.parent()
+        .filter(|folder| !folder.as_os_str().is_empty())
+        .unwrap_or(Path::new("."))
+}
+
+/// A draft with all that the file will hold, in the same folder, since a file is moved in one step within a file system
+/// only. What interrupted runs have left of this file is removed.
+fn whole_draft(
+    folder: &Path,
+    name: &str,
+    content: &[u8],
+    access: Access,
+) -> io::Result<tempfile::NamedTempFile> {
+    let entries = fs::read_dir(folder);
+    for entry in entries.into_iter().flatten().flatten() {
+        if is_draft(&entry.file_name().to_string_lossy(), name) {
+            discard(&entry.path());
+        }
+    }
+    let mut draft = new_draft(folder, name, access)?;
+    draft.write_all(content)?;
+    // Else a crash after the move may leave the new name with nothing behind it.
+    draft.as_file().sync_data()?;
+    Ok(draft)
+}
+
+/// Whether a file is a draft of the file `of`, by its name.
+pub(crate) fn is_draft(name: &str, of: &str) -> bool {
+    let middle = name.strip_prefix('.').and_then(|rest| {
+        rest.strip_prefix(of)?
+            .strip_prefix('.')?
+            .strip_suffix(DRAFT)
+    });
+    middle.is_some_and(|middle| {
+        !middle.is_empty() && middle.chars().all(|char| char.is_ascii_alphanumeric())
+    })
+}
+
+/// Removes a draft that no program writes to any more; of a link the link itself.
+pub(crate) fn discard(draft: &Path) {
+    let is_file = fs::symlink_metadata(draft).is_ok_and(|found| found.is_file());
+    if is_file && is_claimed(draft) {
+        return;
+    }
+    let _ = fs::remove_file(draft);
+}
+
+/// Keeps a draft from being taken for what an interrupted run has left: the system gives the lock back when the program
+/// ends, however that ends.
+pub(crate) fn claim(draft: &fs::File) {
+    // Elsewhere a lock keeps the program itself from reading the file, and an open file cannot be removed.
+    #[cfg(unix)]
+    let _ = draft.try_lock();
+    #[cfg(not(unix))]
+    let _ = draft;
+}
+
+fn is_claimed(draft: &Path) -> bool {
+    #[cfg(unix)]
+    return fs::File::open(draft)
+        .is_ok_and(|file| matches!(file.try_lock(), Err(fs::TryLockError::WouldBlock)));
+    #[cfg(not(unix))]
+    return false;
 }
 
 /// A new file with a name that nobody can guess, beside the file `name` that it will become.
@@ -133,7 +213,9 @@ pub(crate) fn new_draft(
     }
     #[cfg(not(unix))]
     let _ = access;
-    builder.tempfile_in(folder)
+    let draft = builder.tempfile_in(folder)?;
+    claim(draft.as_file());
+    Ok(draft)
 }
 
 /// How the names of drafts end.

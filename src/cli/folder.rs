@@ -39,6 +39,12 @@ impl Folder {
         }
     }
 
+    /// A folder that a run makes within its own, unless somebody has put a link in its place.
+    pub(crate) fn within(run: &Path, name: &str) -> Result<Self, Failure> {
+        Self::at(run).path(name)?;
+        Ok(Self::at(&run.join(name)))
+    }
+
     /// Makes the folder if it is not there.
     pub(crate) fn make(&self) -> Result<(), Failure> {
         self.hold()?;
@@ -123,6 +129,7 @@ impl Folder {
             .left(name, left)
             .ok_or_else(|| fail(io::Error::other("what an interrupted run has left is gone")))?;
         let mut file = open_own(&draft).map_err(fail)?;
+        files::claim(&file);
         // What was written after the last note in the ledger may be half a sheet.
         file.set_len(left.length).map_err(fail)?;
         // The state of a hash is nowhere kept, so that what is there is read once more.
@@ -221,13 +228,13 @@ impl Folder {
 
     /// Removes the drafts that interrupted runs have left in its folders `inside`, but those that are gone on with.
     ///
-    /// A link is removed itself, not what it points to.
+    /// A link is removed itself, not what it points to; a draft that a program still writes to stays.
     pub(crate) fn sweep(&self, inside: &[&str], kept: &BTreeSet<String>) {
         for folder in inside {
             let is_left = |name: &String| name.starts_with('.') && name.ends_with(files::DRAFT);
             for name in self.names(folder).into_iter().filter(is_left) {
                 if !kept.contains(&name) {
-                    let _ = fs::remove_file(self.root.join(folder).join(name));
+                    files::discard(&self.root.join(folder).join(name));
                 }
             }
         }

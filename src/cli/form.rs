@@ -49,8 +49,10 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     let manifest = manifest(path)?;
     let wanted = codes(&arguments.code, &manifest)?;
     let beside = path.parent().unwrap_or(Path::new("."));
-    let out = arguments.out.clone().unwrap_or_else(|| beside.join("form"));
-    let folder = Folder::at(&out);
+    let folder = match &arguments.out {
+        Some(out) => Folder::at(out),
+        None => Folder::within(beside, "form")?,
+    };
     folder.make()?;
     let written = pages(
         &manifest,
@@ -59,7 +61,8 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         &folder,
         "",
     )?;
-    println!("{} in {}", counted(written.sheets, "page"), out.display());
+    let shown = folder.root().display();
+    println!("{} in {shown}", counted(written.sheets, "page"));
     if !written.unread.is_empty() {
         let parts: Vec<String> = written.unread.into_iter().collect();
         eprintln!(
@@ -116,6 +119,7 @@ pub(crate) fn pages(
     out: &Folder,
     below: &str,
 ) -> Result<WrittenPages, Failure> {
+    out.sweep(&[below.trim_end_matches('/')], &BTreeSet::new());
     let kept = std::slice::from_ref(&manifest.items);
     let items = RunItems::of(kept, catalogue, false);
     let sheets: Vec<&VariantEntry> = manifest
@@ -156,6 +160,8 @@ type AskedParts = (ItemId, Revision, Vec<String>);
 struct Reader {
     item: Option<Compiled>,
     reads: BTreeMap<String, String>,
+    /// The parts that are done on paper, and are on no page.
+    on_paper: BTreeSet<String>,
 }
 
 struct Writer<'m> {
@@ -268,9 +274,9 @@ impl<'m> Writer<'m> {
 
     fn unread(&self) -> BTreeSet<String> {
         let unread = self.readers.iter().flat_map(|((item, _, parts), reader)| {
-            let parts = parts
-                .iter()
-                .filter(|part| !reader.reads.contains_key(*part));
+            let parts = parts.iter().filter(|part| {
+                !reader.reads.contains_key(*part) && !reader.on_paper.contains(*part)
+            });
             parts.map(move |part| format!("{item} {part}"))
         });
         unread.collect()
@@ -285,6 +291,11 @@ impl Reader {
             .filter(|place| template.stripped(&[*place]).is_some())
             .collect();
         let item = template.stripped(&places);
+        let is_on_paper = |id: &&String| {
+            let part = template.part(id);
+            part.is_some_and(|part| part.answer.kind().is_by_hand())
+        };
+        let on_paper = parts.iter().filter(is_on_paper).cloned().collect();
         let name = |place: &usize| template.parts[*place].id.clone();
         let reads = places.iter().filter(|_| item.is_some());
         Self {
@@ -292,6 +303,7 @@ impl Reader {
                 .map(|place| (name(place), name(place).replace('.', "__")))
                 .collect(),
             item,
+            on_paper,
         }
     }
 }

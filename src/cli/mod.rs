@@ -15,10 +15,9 @@ macro_rules! println {
 
 /// Prints a line to standard error, in the same way.
 macro_rules! eprintln {
-    ($($piece:tt)*) => {{
-        use std::io::Write as _;
-        let _ = writeln!(std::io::stderr().lock(), $($piece)*);
-    }};
+    ($($piece:tt)*) => {
+        $crate::cli::print_error(&format!($($piece)*))
+    };
 }
 
 mod bank;
@@ -70,15 +69,17 @@ mod screen;
 mod shard;
 mod sheet;
 mod show;
+mod shown;
 mod solve;
 mod survey;
 mod table;
 mod watch;
 
 use std::fmt;
-use std::io::{self, Write as _};
+use std::io::{self, IsTerminal as _, Write as _};
 use std::process::ExitCode;
 use std::sync::OnceLock;
+use std::sync::atomic::{AtomicBool, Ordering};
 
 use clap::{Parser, Subcommand};
 
@@ -135,21 +136,50 @@ pub(crate) enum Format {
 /// Why something could not be printed, once it could not.
 static UNPRINTED: OnceLock<String> = OnceLock::new();
 
+/// Whether a line was lost, so that nobody sees what is asked.
+static IS_UNHEARD: AtomicBool = AtomicBool::new(false);
+
 /// Prints a line; what a full disk does not take is noted, and the program fails in the end.
+///
+/// On a terminal nothing in it does anything; a file or another program gets it as it is.
 fn print_line(line: fmt::Arguments<'_>) {
+    if io::stdout().is_terminal() {
+        print_toned(&shown::still(&line.to_string()));
+    } else {
+        let mut out = io::stdout().lock();
+        note(writeln!(out, "{line}").and_then(|()| out.flush()));
+    }
+}
+
+/// Prints a line that may set colours.
+fn print_toned(line: &str) {
     let mut out = io::stdout().lock();
-    let printed = writeln!(out, "{line}").and_then(|()| out.flush());
-    if let Err(error) = printed
-        && error.kind() != io::ErrorKind::BrokenPipe
-    {
+    note(writeln!(out, "{line}").and_then(|()| out.flush()));
+}
+
+/// Notes whether something was printed.
+fn note(printed: io::Result<()>) {
+    let Err(error) = printed else {
+        return;
+    };
+    IS_UNHEARD.store(true, Ordering::Relaxed);
+    if error.kind() != io::ErrorKind::BrokenPipe {
         UNPRINTED.get_or_init(|| error.to_string());
+    }
+}
+
+/// Prints a message, in which nothing steers the terminal; each of its lines may be long.
+fn print_error(message: &str) {
+    let mut error = io::stderr().lock();
+    for line in message.split('\n') {
+        let _ = writeln!(error, "{}", shown::shown(line));
     }
 }
 
 /// A variable of the environment.
 #[expect(
     clippy::disallowed_methods,
-    reason = "where the press and fonts are found and how long the press may take is the user's setting"
+    reason = "where the press and fonts are found, how long the press may take and how many threads work is the user's setting"
 )]
 fn setting(name: &str) -> Option<std::ffi::OsString> {
     std::env::var_os(name)
@@ -168,6 +198,10 @@ pub(crate) fn run() -> ExitCode {
             return ExitCode::from(if is_asked { 0 } else { 2 });
         }
     };
+    if let Err(failure) = check_threads() {
+        let _ = write!(io::stderr().lock(), "{failure}");
+        return ExitCode::from(2);
+    }
     let outcome = match arguments.command {
         Command::List(arguments) => list::run(&arguments),
         Command::Show(arguments) => show::run(&arguments),
@@ -202,6 +236,22 @@ pub(crate) fn run() -> ExitCode {
             let _ = write!(std::io::stderr().lock(), "{failure}");
             ExitCode::from(2)
         }
+    }
+}
+
+/// Refuses a number of threads that no machine has: `RAYON_NUM_THREADS` is read where work is shared out.
+fn check_threads() -> Result<(), Failure> {
+    const VARIABLE: &str = "RAYON_NUM_THREADS";
+    let found = setting(VARIABLE).and_then(|value| value.to_str()?.trim().parse::<u64>().ok());
+    match found {
+        Some(found) if found > sheet::MAX_THREADS => Err(Failure::new(format!(
+            "{VARIABLE} asks for {found} threads, at most {} are used",
+            sheet::MAX_THREADS
+        ))
+        .help(format!(
+            "unset {VARIABLE} for as many as the machine has processors"
+        ))),
+        _ => Ok(()),
     }
 }
 

@@ -52,14 +52,14 @@ const BANK: [(&str, &str); 3] = [
 pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     let Arguments { what, file } = arguments;
     let shown = file.display();
-    if file.symlink_metadata().is_ok() && !(matches!(what, What::Bank) && is_empty_folder(file)) {
-        return Err(Failure::new(format!("`{shown}` exists already")).help("choose another name"));
+    if file.symlink_metadata().is_ok() && !(matches!(what, What::Bank) && is_begun(file)) {
+        return Err(files::exists(file));
     }
     match what {
-        What::Item => files::write(file, ITEM.as_bytes(), Access::Usual)?,
-        What::Exam => files::write(file, EXAM.as_bytes(), Access::Usual)?,
-        What::Sheet => files::write(file, SHEET.as_bytes(), Access::Usual)?,
-        What::Secret => files::write(file, secret()?.as_bytes(), Access::Private)?,
+        What::Item => files::write_new(file, ITEM.as_bytes(), Access::Usual)?,
+        What::Exam => files::write_new(file, EXAM.as_bytes(), Access::Usual)?,
+        What::Sheet => files::write_new(file, SHEET.as_bytes(), Access::Usual)?,
+        What::Secret => files::write_new(file, secret()?.as_bytes(), Access::Private)?,
         What::Bank => {
             for (name, text) in BANK {
                 files::write(&file.join(name), text.as_bytes(), Access::Usual)?;
@@ -80,9 +80,44 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     Ok(Outcome::Done)
 }
 
-fn is_empty_folder(path: &Path) -> bool {
-    let entries = std::fs::read_dir(path);
-    entries.is_ok_and(|mut entries| entries.next().is_none())
+/// Whether a folder is empty, or holds what an interrupted command has written of a bank and nothing else.
+fn is_begun(path: &Path) -> bool {
+    let is_ours = |entry: &Path| {
+        let name = entry.strip_prefix(path).ok().and_then(Path::to_str);
+        let name = name.map(|name| name.replace('\\', "/"));
+        let Some(name) = name else {
+            return false;
+        };
+        let (folder, own) = name.rsplit_once('/').unwrap_or(("", &name));
+        let is_draft = |of: &str| {
+            let (place, of) = of.rsplit_once('/').unwrap_or(("", of));
+            place == folder && files::is_draft(own, of)
+        };
+        BANK.iter().any(|(of, text)| {
+            is_draft(of)
+                || *of == name && std::fs::read(entry).is_ok_and(|held| held == text.as_bytes())
+        })
+    };
+    let is_folder = |path: &Path| path.symlink_metadata().is_ok_and(|found| found.is_dir());
+    let mut open = vec![path.to_owned()];
+    while let Some(folder) = open.pop() {
+        if !is_folder(&folder) {
+            return false;
+        }
+        let Ok(entries) = std::fs::read_dir(&folder) else {
+            return false;
+        };
+        for entry in entries.flatten() {
+            let entry = entry.path();
+            if folder == *path && is_folder(&entry) && entry.ends_with("ch1") {
+                open.push(entry);
+            } else if !is_ours(&entry) {
+                return false;
+            }
+        }
+    }
+    // The file that makes it a bank comes last.
+    path.join("bank.toml").symlink_metadata().is_err()
 }
 
 /// 256 random bits of the system, in hexadecimal digits.

@@ -60,6 +60,7 @@ pub(crate) fn entry(sheet: &Sheet<'_>) -> VariantEntry {
             .student
             .as_ref()
             .map(|student| student.columns.clone()),
+        gave_way: false,
         files: BTreeMap::new(),
         pages: BTreeMap::new(),
         questions: sheet.questions.iter().map(question).collect(),

@@ -1,6 +1,7 @@
 //! What commands that ask print and read: wrapped text, with colour on a terminal, and lines that are typed.
 
 use std::io::{BufRead, IsTerminal, Read, Write};
+use std::sync::atomic::Ordering;
 
 use super::Failure;
 
@@ -43,7 +44,7 @@ impl Screen {
     pub(crate) fn say(&self, tone: Tone, indent: &str, text: &str) {
         for line in wrapped(text, WIDTH - indent.len()) {
             let line = format!("{indent}{line}");
-            println!("{}", self.toned(tone, line.trim_end()));
+            super::print_toned(&self.toned(tone, line.trim_end()));
         }
     }
 
@@ -53,17 +54,22 @@ impl Screen {
     }
 
     /// Asks for a line, without the blanks around it; none at the end of the input.
+    ///
+    /// There is none either where nobody sees what is asked: input without end would be answered for ever.
     pub(crate) fn ask(&self, prompt: &str) -> Result<Option<String>, Failure> {
         let mut out = std::io::stdout().lock();
-        let _ = write!(out, "{}", self.toned(Tone::Bold, prompt));
-        let _ = out.flush();
+        let asked = write!(out, "{}", self.toned(Tone::Bold, prompt));
+        super::note(asked.and_then(|()| out.flush()));
         drop(out);
+        if super::IS_UNHEARD.load(Ordering::Relaxed) {
+            return Ok(None);
+        }
         let mut line = Vec::new();
         let mut input = std::io::stdin().lock().take(MAX_LENGTH);
         let length = input
             .read_until(b'\n', &mut line)
             .map_err(|error| Failure::new(format!("cannot read standard input: {error}")))?;
-        let text = String::from_utf8_lossy(&line);
+        let text = typed(&String::from_utf8_lossy(&line));
         let text = text.trim();
         if !std::io::stdin().is_terminal() {
             // In a transcript the answer stands where it would have been typed.
@@ -86,6 +92,24 @@ impl Screen {
         };
         format!("\u{1b}[{code}m{text}\u{1b}[0m")
     }
+}
+
+/// A line as it was meant: what arrows and other keys of a terminal send is no part of it.
+fn typed(line: &str) -> String {
+    let mut text = String::with_capacity(line.len());
+    let mut rest = line.chars().peekable();
+    while let Some(char) = rest.next() {
+        if char != '\u{1b}' {
+            text.push(char);
+            continue;
+        }
+        if rest.next_if(|next| matches!(next, '[' | 'O')).is_some() {
+            // Parameters, then the sign that ends it.
+            while rest.next_if(|next| matches!(next, ' '..='?')).is_some() {}
+            rest.next_if(|next| matches!(next, '@'..='~'));
+        }
+    }
+    text
 }
 
 /// The lines of a text, broken between words; lines that are moved in, such as formulas, stay whole.
@@ -116,7 +140,15 @@ fn wrapped(text: &str, width: usize) -> Vec<String> {
 
 #[cfg(test)]
 mod tests {
-    use super::wrapped;
+    use super::{typed, wrapped};
+
+    #[test]
+    fn keys_that_write_nothing_are_no_part_of_a_line() {
+        assert_eq!(typed("\u{1b}[A"), "");
+        assert_eq!(typed("5\u{1b}[3~ m\u{1b}[1;5D/s\u{1b}OP"), "5 m/s");
+        assert_eq!(typed("x [1]"), "x [1]");
+        assert_eq!(typed("\u{1b}"), "");
+    }
 
     #[test]
     fn words_stay_whole_and_formulas_stay_on_their_line() {

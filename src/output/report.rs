@@ -20,6 +20,8 @@ pub struct Analysed<'a> {
     pub unreadable: u64,
     /// How many spare sheets nobody has used, which the statistics leave out.
     pub unused: usize,
+    /// How many students answered nothing and count as absent, whom the statistics leave out.
+    pub absent: usize,
     /// Rows that were left out, each with its line.
     pub faults: &'a [String],
     /// The marks of the sheets, where there is more to say of them than points.
@@ -142,6 +144,7 @@ struct ReportPage<'a> {
     run: &'a Run,
     sheets: usize,
     unused: String,
+    absent: String,
     lost: Vec<LostView<'a>>,
     unreadable: u64,
     undecided: String,
@@ -218,6 +221,10 @@ impl Pages {
             unused: match analysed.unused {
                 0 => String::new(),
                 count => filled(&words.unused, &[("count", &count.to_string())]),
+            },
+            absent: match analysed.absent {
+                0 => String::new(),
+                count => filled(&words.absent, &[("count", &count.to_string())]),
             },
             lost: analysed.lost.iter().map(LostView::of).collect(),
             unreadable: analysed.unreadable,

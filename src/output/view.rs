@@ -46,6 +46,14 @@ struct MarkView {
 /// Most columns of the table of marks: on paper each is then a centimetre wide, enough to write in.
 const MARKS: usize = 13;
 
+/// Columns of the table of marks in type of a size in points, where it is not the usual one of 10.5.
+fn columns(size: Option<u8>) -> usize {
+    let large = size
+        .filter(|size| *size > 10)
+        .map_or(MARKS, |size| MARKS * 21 / (2 * usize::from(size)));
+    large.clamp(3, MARKS)
+}
+
 #[derive(Default, Serialize)]
 pub(crate) struct QuestionView {
     number: usize,
@@ -251,7 +259,8 @@ impl<'p> View<'p> {
         };
         let mut rest: Vec<MarkView> = questions.chain([sum]).collect();
         let mut rows = Vec::new();
-        for left in (1..=rest.len().div_ceil(MARKS)).rev() {
+        let size = sheet.student.as_ref().and_then(|student| student.type_size);
+        for left in (1..=rest.len().div_ceil(columns(size))).rev() {
             let next = rest.split_off(rest.len().div_ceil(left));
             rows.push(std::mem::replace(&mut rest, next));
         }

@@ -98,6 +98,7 @@ pub(crate) struct ReportWords {
     pub(crate) undecided: String,
     pub(crate) undecided_note: String,
     pub(crate) unused: String,
+    pub(crate) absent: String,
     pub(crate) part: String,
     pub(crate) answer: String,
     pub(crate) why: String,

@@ -12,7 +12,7 @@ use super::paper::Paper;
 use super::printing::Printing;
 use super::rules::Rules;
 use crate::answer::{Credit, Doubt};
-use crate::bank::Space;
+use crate::bank::{Space, shortened};
 use crate::diagnostic::Finding;
 use crate::document::Document;
 use crate::scene;
@@ -267,7 +267,7 @@ impl Blueprint {
             _ => {
                 findings.extend(faults.warnings);
                 Finding::sort(&mut findings);
-                Err(findings)
+                Err(shortened(findings, source))
             }
         }
     }

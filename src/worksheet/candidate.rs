@@ -17,6 +17,8 @@ pub struct Fixed {
     pub(crate) questions: BTreeSet<u64>,
     /// Whether the student has another seat now, and so other neighbours.
     pub(crate) has_moved: bool,
+    /// Whether it is not the first variant, since that repeats what another student has.
+    pub(crate) gave_way: bool,
 }
 
 impl Fixed {
@@ -26,7 +28,14 @@ impl Fixed {
             variant,
             questions: questions.iter().map(entry_mark).collect(),
             has_moved,
+            gave_way: false,
         }
+    }
+
+    /// The same, where the first variant may repeat what another student has.
+    #[must_use]
+    pub fn giving_way(self, gave_way: bool) -> Self {
+        Self { gave_way, ..self }
     }
 }
 

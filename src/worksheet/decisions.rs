@@ -10,6 +10,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use super::marks::Marks;
 use crate::answer::Credit;
+use crate::bank::shortened;
 use crate::diagnostic::Finding;
 use crate::numerics::Rational;
 use crate::seed::Variant;
@@ -168,7 +169,7 @@ impl Decisions {
         findings.extend(reader.findings);
         Finding::sort(&mut findings);
         if !findings.is_empty() {
-            return Err(findings);
+            return Err(shortened(findings, source));
         }
         Ok(Self {
             source: source.clone(),
@@ -206,7 +207,7 @@ impl Decisions {
         if findings.is_empty() {
             Ok(subjects)
         } else {
-            Err(findings)
+            Err(shortened(findings, &self.source))
         }
     }
 

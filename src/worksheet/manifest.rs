@@ -129,6 +129,9 @@ pub struct VariantEntry {
     pub seed: u64,
     /// The row of the class list, if there is one.
     pub student: Option<BTreeMap<String, String>>,
+    /// Whether it is not the student's first variant, since that repeats what another student has.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pub gave_way: bool,
     /// The files made for it, each with its digest; one that could not be printed has none.
     pub files: BTreeMap<String, String>,
     /// Where it stands in the files that it shares with other sheets: its first byte there, and how many are its own.
@@ -194,6 +197,9 @@ pub enum EntryError {
     /// Not as parts are named in items.
     #[error("`{0}` is not a name of a part")]
     Part(String),
+    /// Not as many as a part can have.
+    #[error("{0} is not a number of points from 0 to 1000000")]
+    Points(String),
 }
 
 impl VariantEntry {
@@ -224,6 +230,9 @@ impl VariantEntry {
                 && !part.id.contains(|char: char| char.is_control());
             if !is_name {
                 return Err(EntryError::Part(shown(&part.id)));
+            }
+            if !(0.0..=1e6).contains(&part.points) {
+                return Err(EntryError::Points(part.points.to_string()));
             }
         }
         Ok(())

@@ -26,12 +26,32 @@ pub struct Marks {
     /// Whether wrong choices may bring a question below zero.
     #[serde(skip_serializing_if = "std::ops::Not::not")]
     pub below_zero: bool,
+    /// What becomes of students on whose sheets nothing was answered.
+    #[serde(skip_serializing_if = "Absence::is_usual")]
+    pub absent: Absence,
     /// The grades, the best first.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub scale: Vec<Step>,
     /// What passes.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub pass: Option<Bound>,
+}
+
+/// What becomes of students on whose sheets nothing was answered.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Absence {
+    /// They were absent: they have no mark, and are in no statistics.
+    #[default]
+    LeftOut,
+    /// They have no points, like one who has handed in an empty sheet.
+    Zero,
+}
+
+impl Absence {
+    fn is_usual(&self) -> bool {
+        *self == Self::LeftOut
+    }
 }
 
 /// How many questions of a section count.

@@ -53,7 +53,9 @@ pub use manifest::{
 };
 #[cfg(feature = "render")]
 pub use marks::MarksError;
-pub use marks::{Best, Bound, Direction, Exact, Marks, Rounding, Scored, Step, Total, Worth};
+pub use marks::{
+    Absence, Best, Bound, Direction, Exact, Marks, Rounding, Scored, Step, Total, Worth,
+};
 #[cfg(feature = "render")]
 pub use own::Own;
 pub use paper::Paper;

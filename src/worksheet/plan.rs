@@ -8,7 +8,7 @@ use self::error::PlanError;
 use super::blueprint::{Blueprint, Choice, Filter, Question};
 use super::fairness::Fairness;
 use crate::answer::AnswerKind;
-use crate::bank::{Catalogue, Chapter, ItemId, Part, Space, Template};
+use crate::bank::{Catalogue, Chapter, ItemId, Part, Space, Template, shortened};
 use crate::diagnostic::{Finding, Severity};
 use crate::message::Language;
 use crate::numerics::Rational;
@@ -82,7 +82,7 @@ impl<'c> Plan<'c> {
         Finding::sort(&mut planner.findings);
         let is_error = |finding: &Finding| finding.severity == Severity::Error;
         if planner.findings.iter().any(is_error) {
-            return Err(planner.findings);
+            return Err(shortened(planner.findings, &blueprint.source));
         }
         Ok(Self {
             blueprint,
@@ -189,7 +189,10 @@ impl<'c> Planner<'c> {
         let primary = |tag: &str| tag.split('-').next().map(str::to_lowercase);
         if asked.span != Span::NONE && primary(&asked.value) != primary(bank) {
             let (found, bank, span) = (asked.value.clone(), bank.clone(), asked.span);
+            let mut questions = self.blueprint.questions.iter();
             self.find(&match Language::of(&found) {
+                // Their texts are in the language of the blueprint.
+                Some(_) if questions.all(|own| matches!(own.choice, Choice::Own(_))) => return,
                 Some(_) => PlanError::OtherLanguage { found, bank, span },
                 None => PlanError::Language { found, bank, span },
             });

@@ -193,6 +193,11 @@ impl Student {
         let size = number.parse().ok().filter(|size| SIZES.contains(size));
         size.map(Some).ok_or(TypeSizeError { found: cell })
     }
+
+    /// Whether the seat is one whose neighbours are known: a row and a place, or a number.
+    pub fn has_place(&self) -> bool {
+        Seat::read(&self.seat).is_some()
+    }
 }
 
 /// Most letters of an `id` or a name that become part of the name of a file.

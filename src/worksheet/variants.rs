@@ -33,10 +33,12 @@ pub struct Chooser<'p, 'c> {
     fixed: BTreeMap<u64, Fixed>,
     /// What they had on an earlier sheet, of which they get nothing again, by place in the run.
     barred: BTreeMap<u64, Vec<QuestionEntry>>,
+    /// The places of those who gave way.
+    gave_way: BTreeSet<u64>,
     /// The seats of the students, by place in the run.
-    seats: Vec<Option<Seat>>,
+    seats: Vec<Option<(usize, Seat)>>,
     /// Who has a seat.
-    room: BTreeMap<Seat, Vec<usize>>,
+    room: BTreeMap<(usize, Seat), Vec<usize>>,
     /// What neighbours must not share, of those that were taken, by place in the run.
     marks: BTreeMap<u64, Vec<BTreeSet<u64>>>,
     /// Seeds that were tried and not taken.
@@ -100,11 +102,15 @@ impl<'p, 'c> Chooser<'p, 'c> {
             usual: planned.candidates.iter().map(|_| OnceLock::new()).collect(),
         };
         let questions = plan.questions.iter();
-        let seats: Vec<Option<Seat>> = students
-            .iter()
-            .map(|student| Seat::read(&student.seat))
-            .collect();
-        let mut room: BTreeMap<Seat, Vec<usize>> = BTreeMap::new();
+        // Seats of two rooms are no neighbours, whatever their numbers are.
+        let mut rooms = BTreeMap::new();
+        let mut seat = |student: &Student| {
+            let count = rooms.len();
+            let room = *rooms.entry(student.room.clone()).or_insert(count);
+            Some((room, Seat::read(&student.seat)?))
+        };
+        let seats: Vec<Option<(usize, Seat)>> = students.iter().map(&mut seat).collect();
+        let mut room: BTreeMap<(usize, Seat), Vec<usize>> = BTreeMap::new();
         for (place, seat) in seats.iter().enumerate() {
             if let Some(seat) = seat {
                 room.entry(*seat).or_default().push(place);
@@ -122,6 +128,7 @@ impl<'p, 'c> Chooser<'p, 'c> {
                 .collect(),
             students: students.iter().map(|student| student.id.clone()).collect(),
             barred: BTreeMap::new(),
+            gave_way: BTreeSet::new(),
             seats,
             room,
             marks: BTreeMap::new(),
@@ -240,6 +247,11 @@ impl<'p, 'c> Chooser<'p, 'c> {
         self.taken.values().copied()
     }
 
+    /// The places of those who gave way to another student so far.
+    pub fn gave_way(&self) -> &BTreeSet<u64> {
+        &self.gave_way
+    }
+
     /// How alike the variants are that were taken so far.
     pub fn fairness(&self) -> &Fairness {
         &self.fairness
@@ -316,6 +328,7 @@ impl<'p, 'c> Chooser<'p, 'c> {
         let sheet = Sheet::draw(self.plan, fixed.variant, None).ok()?;
         let mut candidate = Candidate::of(index, 0, &sheet);
         candidate.is_fixed = !fixed.has_moved;
+        candidate.gave_way = fixed.gave_way;
         for question in &sheet.questions {
             if !fixed.questions.contains(&question_mark(question)) {
                 suitability::judge(&question.solution, &question.parts).ok()?;
@@ -361,6 +374,7 @@ impl<'p, 'c> Chooser<'p, 'c> {
         }
         if candidate.gave_way && (candidate.index as usize) < self.students.len() {
             self.fairness.gave_way.push(own);
+            self.gave_way.insert(candidate.index);
         }
         for (place, asked) in candidate.questions.iter().enumerate() {
             let item = self.plan.questions[place].candidates[asked.item];
@@ -442,7 +456,8 @@ impl<'p, 'c> Chooser<'p, 'c> {
     /// What the neighbours of a place have, of those that were taken.
     fn neighbours(&self, index: u64) -> impl Iterator<Item = (u64, &Vec<BTreeSet<u64>>)> + Clone {
         let seat = self.seats.get(index as usize).copied().flatten();
-        let around = seat.into_iter().flat_map(Seat::around);
+        let around = seat.into_iter();
+        let around = around.flat_map(|(room, seat)| seat.around().map(move |near| (room, near)));
         let near = around.filter_map(|seat| self.room.get(&seat)).flatten();
         near.filter(move |place| **place as u64 != index)
             .filter_map(|place| Some((*place as u64, self.marks.get(&(*place as u64))?)))

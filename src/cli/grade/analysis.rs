@@ -1,6 +1,6 @@
 //! The report of a run: what could not be read, and the item analysis, as a page, JSON and CSV.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use serde_json::json;
 use vibank::answer::Verdict;
@@ -23,6 +23,10 @@ pub(crate) struct Analysis {
     sheets: usize,
     /// Spare sheets that nobody has used.
     unused: usize,
+    /// Students on whose sheets nothing was answered, who were absent: the `id`, or the code where names are unknown.
+    absent: Vec<String>,
+    /// Those who have answered on some sheet: of several runs a student may have another one.
+    present: BTreeSet<String>,
     /// Parts that nobody has marked by hand yet.
     open: u64,
 }
@@ -50,6 +54,7 @@ const COLUMNS: [&str; 16] = [
 impl Analysis {
     pub(crate) fn add(&mut self, sheet: &SheetOutcome) {
         self.sheets += 1;
+        self.present.insert(sheet.column("id").to_owned());
         let reasons: Vec<Vec<&str>> = sheet
             .parts
             .iter()
@@ -82,8 +87,22 @@ impl Analysis {
         self.unused += 1;
     }
 
-    pub(crate) fn sheets(&self) -> usize {
-        self.sheets
+    /// Counts a student who was absent, whom no statistics are about.
+    pub(crate) fn leave_absent_out(&mut self, sheet: &SheetOutcome) {
+        let id = sheet.column("id");
+        let shown = if id.is_empty() { &sheet.code } else { id };
+        self.absent.push(shown.to_owned());
+    }
+
+    /// How many sheets were marked, those of absent students among them.
+    pub(crate) fn marked(&self) -> usize {
+        self.sheets + self.absent.len()
+    }
+
+    /// Who was absent.
+    pub(crate) fn absent(&self) -> Vec<&str> {
+        let all = self.absent.iter().map(String::as_str);
+        all.filter(|own| !self.present.contains(*own)).collect()
     }
 
     /// How many spare sheets nobody has used.
@@ -124,6 +143,7 @@ impl Analysis {
             "decisions": findings.decided,
             "marks": findings.marks.map(|marks| &marks.summary),
             "unused_spares": self.unused,
+            "absent": self.absent().len(),
             "summary": summary,
         });
         let text = serde_json::to_string_pretty(&json).expect("a report is plain data");
@@ -138,6 +158,7 @@ impl Analysis {
             lost: findings.lost,
             unreadable,
             unused: self.unused,
+            absent: self.absent().len(),
             faults: findings.faults,
             marks: findings.marks,
             decided: findings.decided,

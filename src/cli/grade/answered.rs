@@ -46,6 +46,11 @@ impl<'a> Answered<'a> {
         self.is_open && !self.ruling.settled.is_some_and(is_settled)
     }
 
+    /// Whether somebody has typed an answer to it, or looked at it on this sheet.
+    pub(crate) fn is_touched(&self) -> bool {
+        !self.given.trim().is_empty() || self.is_open || self.ruling.is_own
+    }
+
     /// The same without anything that was decided.
     pub(crate) fn plain(&self) -> Self {
         Self {

@@ -79,14 +79,14 @@ impl Gradebook {
         })
     }
 
-    pub(crate) fn add(&mut self, sheet: &SheetOutcome) {
+    pub(crate) fn add(&mut self, sheet: &SheetOutcome, is_absent: bool) {
         let id = sheet.column(&self.column);
         if id.is_empty() {
             self.unknown.push(sheet.code.clone());
             return;
         }
         self.most = self.most.max(sheet.max());
-        let is_decided = sheet.undecided().0 == 0;
+        let is_decided = sheet.undecided().0 == 0 && !is_absent;
         let points = grade::rounded(sheet.points());
         self.rows.push(Row {
             id: id.to_owned(),

@@ -7,7 +7,7 @@ use vibank::bank::Template;
 use vibank::grade::{Feedback, Grade, QuestionFeedback, Responses, Sheet};
 use vibank::message::Language;
 use vibank::numerics::Rational;
-use vibank::worksheet::{Marks, QuestionEntry, Scored, Student, VariantEntry, Void};
+use vibank::worksheet::{Absence, Marks, QuestionEntry, Scored, Student, VariantEntry, Void};
 
 use super::answered::Answered;
 use super::decisions::{Corrected, Decisions};
@@ -44,8 +44,12 @@ impl Marker<'_> {
     ) -> Result<(SheetOutcome, Feedback), Failure> {
         let (mut parts, mut feedback, mut questions) = (Vec::new(), Vec::new(), Vec::new());
         let mut scored = Vec::new();
+        // A sheet of which a person marks everything waits for that.
+        let (mut is_touched, mut is_marked) = (false, false);
         for question in &variant.questions {
-            let marked = self.question(&variant.code, question)?;
+            let (marked, is_own) = self.question(&variant.code, question)?;
+            is_touched |= is_own;
+            is_marked |= marked.iter().any(|part| !part.outcome.by_hand);
             let standing = self.standing(&marked);
             scored.push(Scored {
                 points: standing.points.0,
@@ -78,6 +82,7 @@ impl Marker<'_> {
             code: variant.code.clone(),
             student: variant.student.clone().unwrap_or_default(),
             spare: variant.student.is_none(),
+            unanswered: variant.student.is_some() && is_marked && !is_touched,
             parts,
             questions,
             total: Standing::of_total(&total),
@@ -91,7 +96,7 @@ impl Marker<'_> {
             open: total.open,
             max: total.max,
             grade: match worth.grades[..] {
-                [grade] => Some(grade.to_owned()),
+                [grade] if !self.is_absent(&outcome) => Some(grade.to_owned()),
                 _ => None,
             },
             questions: feedback,
@@ -99,17 +104,29 @@ impl Marker<'_> {
         Ok((outcome, feedback))
     }
 
+    /// Whether the student of a sheet was absent: what a course platform reports was answered by somebody.
+    pub(crate) fn is_absent(&self, sheet: &SheetOutcome) -> bool {
+        sheet.unanswered && self.takes_points && self.marks.absent == Absence::LeftOut
+    }
+
     /// The item of a question as it was handed out.
     fn item(&self, question: &QuestionEntry) -> Result<&Template, Failure> {
         self.items.find(&question.item, question.revision)
     }
 
-    /// The parts of a question, marked by what was decided; each that is otherwise without it says so.
-    fn question(&self, code: &str, question: &QuestionEntry) -> Result<Vec<MarkedPart>, Failure> {
+    /// The parts of a question, marked by what was decided; each that is otherwise without it says so. And whether anybody
+    /// has answered one of them.
+    fn question(
+        &self,
+        code: &str,
+        question: &QuestionEntry,
+    ) -> Result<(Vec<MarkedPart>, bool), Failure> {
         let template = self.item(question)?;
         let answered = self.answered(code, question, template)?;
+        let is_touched = answered.iter().any(Answered::is_touched);
         if answered.iter().all(|part| part.ruling.is_empty()) {
-            return self.marked(template, question, &answered);
+            let marked = self.marked(template, question, &answered)?;
+            return Ok((marked, is_touched));
         }
         let plain: Vec<Answered<'_>> = answered.iter().map(Answered::plain).collect();
         let before = self.marked(template, question, &plain)?;
@@ -143,7 +160,7 @@ impl Marker<'_> {
                 outcome.decisions = from.iter().copied().collect();
             }
         }
-        Ok(marked)
+        Ok((marked, is_touched))
     }
 
     fn marked(

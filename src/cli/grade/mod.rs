@@ -29,7 +29,7 @@ use rayon::prelude::*;
 use vibank::grade::{Place, Responses, RowError};
 use vibank::message::Language;
 use vibank::output::{Decided, Lost, Marked};
-use vibank::worksheet::{Marks, VariantEntry};
+use vibank::worksheet::{Absence, Marks, VariantEntry};
 
 pub(crate) use self::items::Items as RunItems;
 pub(crate) use self::journal::is_journal;
@@ -133,7 +133,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<super::Outcome, Failure> {
     let beside = arguments.manifest.parent().unwrap_or(Path::new("."));
     let out = match &arguments.out {
         Some(out) => Folder::at(out),
-        None => Folder::at(&beside.join("marks")),
+        None => Folder::within(beside, "marks")?,
     };
     // The manifest first: without it nothing else matters.
     drop(files::open(&arguments.manifest)?);
@@ -214,6 +214,9 @@ pub(crate) fn run(arguments: &Arguments) -> Result<super::Outcome, Failure> {
         sheets,
         takes_points: handed.is_typed(),
         has_class: !census.students.is_empty(),
+        leaves_absent_out: !census.students.is_empty()
+            && handed.is_typed()
+            && marks.absent == Absence::LeftOut,
         responses: handed.responses,
         decisions,
     };
@@ -296,6 +299,8 @@ struct GradeJob<'a> {
     takes_points: bool,
     /// Whether sheets are those of students, and others are spare.
     has_class: bool,
+    /// Whether students without any answer were absent.
+    leaves_absent_out: bool,
     decisions: Decisions,
     journal: Journal,
     /// What was marked apart and is joined.
@@ -435,18 +440,26 @@ impl GradeJob<'_> {
         let Some(tables) = &mut self.tables else {
             return Ok(());
         };
-        tables.add(outcome)?;
+        let is_absent = self.leaves_absent_out && outcome.unanswered;
+        tables.add(outcome, is_absent)?;
         if self.has_class && outcome.is_unused() {
             self.analysis.leave_out();
+        } else if is_absent {
+            self.analysis.leave_absent_out(outcome);
+            if let Some(gradebook) = &mut self.gradebook {
+                gradebook.add(outcome, is_absent);
+            }
         } else {
             self.analysis.add(outcome);
             self.undecided.add(outcome);
             self.class.add(outcome);
             if let Some(gradebook) = &mut self.gradebook {
-                gradebook.add(outcome);
+                gradebook.add(outcome, is_absent);
             }
         }
-        self.log.add(outcome);
+        if !is_absent {
+            self.log.add(outcome);
+        }
         if let Some(changes) = &mut self.changes {
             changes.add(outcome);
         }

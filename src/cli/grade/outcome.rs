@@ -16,6 +16,9 @@ pub(crate) struct SheetOutcome {
     /// Whether it was made for nobody in the class list.
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]
     pub(crate) spare: bool,
+    /// Whether it is a student's, and nothing was answered on it.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pub(crate) unanswered: bool,
     pub(crate) parts: Vec<PartOutcome>,
     pub(crate) questions: Vec<QuestionOutcome>,
     /// What the sheet came to.

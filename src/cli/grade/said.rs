@@ -125,6 +125,9 @@ pub(crate) struct WrittenFiles<'a> {
     pub(crate) makes_feedback: bool,
 }
 
+/// Most students who are named in a line.
+const MAX_NAMED: usize = 12;
+
 impl WrittenFiles<'_> {
     /// How many verdicts of each kind there are, and what is in which file.
     pub(crate) fn tell(&self) {
@@ -142,12 +145,27 @@ impl WrittenFiles<'_> {
             .filter(|(count, _)| *count > 0)
             .map(|(count, name)| format!("{count} {name}"))
             .collect();
-        let sheets = counted(self.analysis.sheets(), "sheet");
+        let sheets = counted(self.analysis.marked(), "sheet");
         println!("{sheets}: {}", counts.join(", "));
         match self.analysis.unused() {
             0 => {}
             1 => println!("1 spare sheet has no answer, and is in no statistics"),
             count => println!("{count} spare sheets have no answer, and are in no statistics"),
+        }
+        match &self.analysis.absent()[..] {
+            [] => {}
+            [one] => println!("1 student has no answer and counts as absent: {one}"),
+            all => {
+                let named = all[..all.len().min(MAX_NAMED)].join(", ");
+                let others = match all.len().saturating_sub(MAX_NAMED) {
+                    0 => String::new(),
+                    count => format!(" and {count} more"),
+                };
+                println!(
+                    "{} students have no answer and count as absent: {named}{others}",
+                    all.len()
+                );
+            }
         }
         if self.analysis.count(Verdict::Unreadable) > 0 {
             file(

@@ -27,6 +27,9 @@ const MARKS: [&str; 8] = [
     "undecided points",
 ];
 
+/// What stands in place of the points of a student on whose sheet nothing was answered.
+const ABSENT: &str = "absent";
+
 /// Those for the points that the program gave, and those that a person gave, where there are such.
 const APART: [&str; 2] = ["auto", "hand"];
 
@@ -100,8 +103,9 @@ impl Tables {
         })
     }
 
-    pub(crate) fn add(&mut self, sheet: &SheetOutcome) -> Result<(), Failure> {
-        self.mark(sheet)?;
+    /// Adds a sheet; of an absent student there is no mark.
+    pub(crate) fn add(&mut self, sheet: &SheetOutcome, is_absent: bool) -> Result<(), Failure> {
+        self.mark(sheet, is_absent)?;
         for part in &sheet.parts {
             self.detail(sheet, part)?;
             self.result(sheet, part)?;
@@ -110,7 +114,10 @@ impl Tables {
     }
 
     /// A row of the marks, its numbers written in a dialect.
-    fn row(&self, sheet: &SheetOutcome, dialect: Dialect) -> Vec<String> {
+    fn row(&self, sheet: &SheetOutcome, is_absent: bool, dialect: Dialect) -> Vec<String> {
+        if is_absent {
+            return self.absent_row(sheet, dialect);
+        }
         let points = |points| dialect.number(&grade::rounded(points));
         let cell = |(question, letter): &Column| {
             if letter.is_empty() {
@@ -144,6 +151,18 @@ impl Tables {
             .collect()
     }
 
+    /// The row of a student who was absent: a word in place of the points, which a spreadsheet leaves out of a mean.
+    fn absent_row(&self, sheet: &SheetOutcome, dialect: Dialect) -> Vec<String> {
+        let own = ["id", "name", "group"].map(|name| sheet.column(name).to_owned());
+        let max = dialect.number(&grade::rounded(sheet.max()));
+        let mut row = vec![sheet.code.clone()];
+        row.extend(own);
+        row.extend([ABSENT.to_owned(), max]);
+        let width = marks(self.has_hand, is_worth(&self.rules)).count() + self.columns.len();
+        row.resize(width, String::new());
+        row
+    }
+
     /// Percent, grade and whether it passes, where `[marks]` says it.
     fn worth(&self, sheet: &SheetOutcome, dialect: Dialect) -> Vec<String> {
         if !is_worth(&self.rules) {
@@ -173,9 +192,9 @@ impl Tables {
         vec![dialect.number(&percent), grade, passed.to_owned()]
     }
 
-    fn mark(&mut self, sheet: &SheetOutcome) -> Result<(), Failure> {
+    fn mark(&mut self, sheet: &SheetOutcome, is_absent: bool) -> Result<(), Failure> {
         if self.book.is_some() {
-            let row = self.row(sheet, Dialect::new(Csv::Plain, '.'));
+            let row = self.row(sheet, is_absent, Dialect::new(Csv::Plain, '.'));
             let cell = |(at, text): (usize, String)| {
                 if at < 4 {
                     Cell::Text(text)
@@ -188,7 +207,7 @@ impl Tables {
                 .iter_mut()
                 .for_each(|book| book.push(Vec::clone(&row)));
         }
-        let row = self.row(sheet, self.dialect);
+        let row = self.row(sheet, is_absent, self.dialect);
         let row: Vec<&str> = row.iter().map(String::as_str).collect();
         self.marks.write(&self.dialect.line(&row)?)
     }

@@ -189,6 +189,7 @@ impl Report {
                     code: code.to_string(),
                     seed: code.number(),
                     student: Some(attempt.student.clone()),
+                    gave_way: false,
                     files: BTreeMap::new(),
                     pages: BTreeMap::new(),
                     questions,

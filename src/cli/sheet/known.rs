@@ -43,6 +43,8 @@ pub(crate) struct HeldSheet {
     /// Whose it is, and where that student sits, as far as the manifest says so.
     student: Option<(String, String)>,
     questions: Vec<QuestionEntry>,
+    /// Whether it is not the first variant of the student.
+    gave_way: bool,
 }
 
 /// The sheets that look as those of a run.
@@ -124,7 +126,8 @@ impl KnownFiles {
                         let mut variants = (0..tries)
                             .flat_map(|attempt| [own(attempt), plan.variant(sheet.place, attempt)]);
                         let variant = variants.find(|variant| variant.to_string() == **code);
-                        variant.map(|variant| (variant, *sheet, *seat != student.seat))
+                        let now = seat_in(&student.room, &student.seat);
+                        variant.map(|variant| (variant, *sheet, *seat != now))
                     }
                     None if has_pseudonyms => (0..tries).map(own).find_map(|variant| {
                         let sheet = held.sheets.get(&variant.to_string())?;
@@ -133,7 +136,8 @@ impl KnownFiles {
                     None => None,
                 };
                 if let Some((variant, sheet, has_moved)) = found {
-                    let own = Fixed::new(variant, &sheet.questions, has_moved);
+                    let own =
+                        Fixed::new(variant, &sheet.questions, has_moved).giving_way(sheet.gave_way);
                     fixed.insert(student.id.clone(), own);
                 }
             }
@@ -215,7 +219,8 @@ impl Held {
             let digest = digest(&entry);
             let files = entry.files.into_iter().filter(|(path, _)| is_plain(path));
             let student = entry.student.as_ref().and_then(|student| {
-                let seat = student.get("seat").cloned().unwrap_or_default();
+                let column = |name: &str| student.get(name).map_or("", String::as_str);
+                let seat = seat_in(column("room"), column("seat"));
                 Some((student.get("id")?.clone(), seat))
             });
             let sheet = HeldSheet {
@@ -223,6 +228,7 @@ impl Held {
                 files: files.collect(),
                 place: held.sheets.len() as u64,
                 student,
+                gave_way: entry.gave_way,
                 // Nobody has to keep a sheet that is nobody's.
                 questions: if entry.student.is_some() {
                     entry.questions
@@ -288,4 +294,10 @@ fn digest(entry: &VariantEntry) -> String {
     };
     let text = serde_json::to_string(&bare).expect("an entry is plain data");
     files::digest(text.as_bytes())
+}
+
+/// A seat with its room: a change of either gives the student other neighbours.
+fn seat_in(room: &str, seat: &str) -> String {
+    // No cell of a class list has a line break.
+    format!("{room}\n{seat}")
 }

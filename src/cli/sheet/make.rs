@@ -3,7 +3,7 @@
 //! A sheet is written when it is taken, never before: what repeats an earlier one leaves no trace. While a chunk of sheets
 //! is written, the one before is kept.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
 use std::path::Path;
 
@@ -123,7 +123,7 @@ impl Job<'_, '_> {
             let end = share.end.min(begin + CHUNK);
             let (kept, written) = rayon::join(
                 || store.keep(pages, begin - share.start, &mut made),
-                || self.pages(begin..end, &variants, &bar),
+                || self.pages(begin..end, &variants, chooser.gave_way(), &bar),
             );
             kept?;
             (pages, begin) = (written?, end);
@@ -148,6 +148,7 @@ impl Job<'_, '_> {
         &self,
         places: Range<usize>,
         variants: &[Variant],
+        gave_way: &BTreeSet<u64>,
         bar: &ProgressBar,
     ) -> Result<Vec<Page>, Failure> {
         let write = |place: usize| {
@@ -157,15 +158,19 @@ impl Job<'_, '_> {
                 .filter(|_| !self.has_pseudonyms)
                 .cloned();
             let sheet = Sheet::draw(self.plan, variants[place], student);
-            let page = self.page(&sheet.map_err(|error| refuse(&error))?, place)?;
+            let sheet = sheet.map_err(|error| refuse(&error))?;
+            let page = self.page(&sheet, place, gave_way.contains(&(place as u64)))?;
             bar.inc(1);
             Ok(page)
         };
         places.into_par_iter().map(write).collect()
     }
 
-    fn page(&self, sheet: &Sheet<'_>, place: usize) -> Result<Page, Failure> {
-        let mut entry = record::entry(sheet);
+    fn page(&self, sheet: &Sheet<'_>, place: usize, gave_way: bool) -> Result<Page, Failure> {
+        let mut entry = VariantEntry {
+            gave_way,
+            ..record::entry(sheet)
+        };
         let stem = self.stem(sheet, place);
         let is_split = self.formats.iter().any(Format::is_split);
         let held = is_split

@@ -34,6 +34,14 @@ impl MakeUp {
             ))
             .help("give the manifest of the first run with `--first`"));
         }
+        let beside = path.parent().unwrap_or(Path::new("."));
+        if is_same(beside, &super::out(arguments)) {
+            return Err(Failure::new(format!(
+                "`{}` has the sheets of the first run, which the make-up would replace",
+                beside.display()
+            ))
+            .help("give the make-up a folder of its own with `--out`, or leave that out"));
+        }
         let manifest_of_first = manifest(&path)?;
         let mut had = BTreeMap::new();
         for variant in manifest_of_first.variants {
@@ -72,6 +80,15 @@ impl MakeUp {
         make_up.students.sort_by_key(place);
         Ok(make_up)
     }
+}
+
+/// Whether two paths lead to one folder.
+fn is_same(one: &Path, other: &Path) -> bool {
+    let whole = |path: &Path| {
+        let here = path.as_os_str().is_empty();
+        std::fs::canonicalize(if here { Path::new(".") } else { path }).ok()
+    };
+    whole(one).is_some_and(|one| Some(one) == whole(other))
 }
 
 /// The folder of a make-up, if it is not named.

@@ -80,7 +80,7 @@ pub(crate) struct Arguments {
     #[arg(long, value_name = "MANIFEST", requires = "make_up", value_parser = file_kind::manifest())]
     first: Option<PathBuf>,
     /// How many threads work; all cores if left out.
-    #[arg(long, value_name = "NUMBER", value_parser = clap::value_parser!(u16).range(1..=512))]
+    #[arg(long, value_name = "NUMBER", value_parser = clap::value_parser!(u16).range(1..=MAX_THREADS as i64))]
     threads: Option<u16>,
     /// How the summary is printed.
     #[arg(long, value_enum, default_value_t)]
@@ -91,6 +91,9 @@ pub(crate) struct Arguments {
     #[command(flatten)]
     bank: BankArgument,
 }
+
+/// Most threads that are started: beyond this many none has anything to do.
+pub(crate) const MAX_THREADS: u64 = 512;
 
 pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     let path = &arguments.blueprint;

@@ -187,7 +187,9 @@ impl<'f> Outputs<'f> {
         for files in self.formats {
             let (laid, streams, table) = match files {
                 Files::Json(stream) => {
-                    finished.push(stream.finish("", "one sheet a line")?);
+                    finished.push(
+                        stream.finish("", "one sheet a line, with its key; keep it to yourself")?,
+                    );
                     continue;
                 }
                 Files::Workbook(stream) => {

@@ -49,6 +49,14 @@ pub(crate) enum RowFault {
         /// Row of the sheet, from 1.
         line: usize,
     },
+    /// A cell of a text in a column whose heading is empty.
+    #[error("line {line}: column {column} has no heading; give it one, or empty it")]
+    Nameless {
+        /// Line in the file, from 1.
+        line: usize,
+        /// The column, from 1.
+        column: usize,
+    },
     /// More cells than headings.
     #[error(
         "line {line}: more cells than the header has; put a cell with `{delimiter}` in it in quotes"

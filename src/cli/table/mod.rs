@@ -114,7 +114,10 @@ impl Table {
     fn with_headings(mut self, path: &Path) -> Result<Self, Failure> {
         let shown = path.display();
         let header = match self.all(&|_| false).next() {
-            None => return Err(Failure::new(format!("`{shown}` is empty"))),
+            None => {
+                return Err(Failure::new(format!("`{shown}` is empty"))
+                    .help("give it a row of headings, and a row for each student or answer"));
+            }
             Some(Err(fault)) => return Err(Failure::new(format!("`{shown}`, {fault}"))),
             Some(Ok(row)) => row
                 .cells
@@ -146,14 +149,25 @@ impl Table {
         };
         self.all(begins_row).skip(1).map(move |row| {
             let row = row?;
-            if row.cells.iter().enumerate().all(is_headed) {
+            let Some(at) = row
+                .cells
+                .iter()
+                .enumerate()
+                .position(|cell| !is_headed(cell))
+            else {
                 return Ok(row);
-            }
-            let line = row.line;
-            let fault = delimiter.map_or(RowFault::Unheaded { line }, |delimiter| RowFault::Wide {
-                line,
-                delimiter,
-            });
+            };
+            let (line, column) = (row.line, at + 1);
+            // Behind the last heading a cell with a delimiter in it has shifted the others.
+            let is_between = |at: usize| {
+                let mut behind = self.headings.iter().skip(at);
+                behind.any(|heading| !heading.is_empty())
+            };
+            let fault = match delimiter {
+                None => RowFault::Unheaded { line },
+                Some(_) if is_between(at) => RowFault::Nameless { line, column },
+                Some(delimiter) => RowFault::Wide { line, delimiter },
+            };
             Err(Broken { fault, row })
         })
     }

@@ -156,7 +156,6 @@ pub(crate) fn blueprint<'s>(
     table: Table<'_>,
     mut faults: Faults<'s>,
 ) -> (Option<Blueprint>, Faults<'s>) {
-    let line = |key| table.text(key).map(|text| text.value).unwrap_or_default();
     let keys = keys(&table, &mut faults);
     let questions = questions(&table, &mut faults);
     let title = table.required_text("title");
@@ -166,6 +165,12 @@ pub(crate) fn blueprint<'s>(
         faults.at_most(MAX_TITLE_LENGTH, letters, of, Some(title.span));
     }
     let title = title.map(|text| text.value);
+    let [course, date, duration] = [
+        ("course", "letters in the course"),
+        ("date", "letters in the date"),
+        ("duration", "letters in the duration"),
+    ]
+    .map(|(key, of)| line(&table, key, of, &mut faults));
     let audience = audience(&table, &mut faults);
     if let Some(value) = table.value("columns")
         && !table.has("students")
@@ -202,9 +207,9 @@ pub(crate) fn blueprint<'s>(
     let read = Blueprint {
         source: table.source().clone(),
         title: title.unwrap_or_default(),
-        course: line("course"),
-        date: line("date"),
-        duration: line("duration"),
+        course,
+        date,
+        duration,
         instructions,
         seed: seed.unwrap_or(0).unsigned_abs(),
         secret,
@@ -256,6 +261,16 @@ pub(crate) fn blueprint<'s>(
     };
     table.finish();
     (is_whole.then_some(read), faults)
+}
+
+/// A line that is printed on each page of each sheet, and so has no more letters than a title.
+fn line(table: &Table<'_>, key: &'static str, of: &'static str, faults: &mut Faults<'_>) -> String {
+    let Some(text) = table.text(key) else {
+        return String::new();
+    };
+    let letters = text.value.chars().count();
+    faults.at_most(MAX_TITLE_LENGTH, letters, of, Some(text.span));
+    text.value
 }
 
 /// Where it says that the formulas of the chapters are printed, if it does.

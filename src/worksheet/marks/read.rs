@@ -1,6 +1,6 @@
 //! Reading the table.
 
-use super::{Best, Bound, Direction, Exact, Marks, Rounding, Step};
+use super::{Absence, Best, Bound, Direction, Exact, Marks, Rounding, Step};
 use crate::diagnostic::{Code, Diagnose, Finding, Label};
 use crate::numerics::Rational;
 use crate::source::{Data, Span, Table, Value};
@@ -11,6 +11,9 @@ pub enum MarksError {
     /// An unknown word.
     #[error("`round` cannot be `{0}`")]
     Round(String, Span),
+    /// Another unknown word.
+    #[error("`absent` cannot be `{0}`")]
+    Absent(String, Span),
     /// A direction without a step.
     #[error("`round` says in which direction, and no `step` says to what")]
     NoStep(Span),
@@ -49,6 +52,7 @@ impl Diagnose for MarksError {
 
     fn labels(&self) -> Vec<Label> {
         let (Self::Round(_, span)
+        | Self::Absent(_, span)
         | Self::NoStep(span)
         | Self::SameStep(_, _, span)
         | Self::Mixed(span)
@@ -64,6 +68,7 @@ impl Diagnose for MarksError {
     fn help(&self) -> Option<String> {
         Some(match self {
             Self::Round(..) => "it can be nearest, up, down".to_owned(),
+            Self::Absent(..) => "it can be left out, zero".to_owned(),
             Self::NoStep(_) => "add a `step`, such as `step = 0.5`".to_owned(),
             Self::SameStep(..) => "give each grade points of its own".to_owned(),
             Self::Mixed(_) => "write all as \"75 %\", or all as points".to_owned(),
@@ -88,6 +93,7 @@ impl Marks {
             best: best(table),
             wrong_choice: share(table),
             below_zero: table.boolean("below_zero").unwrap_or(false),
+            absent: absent(table, &mut errors),
             scale: scale(table, &mut errors),
             pass: None,
         };
@@ -131,6 +137,19 @@ fn rounding(table: &Table<'_>, errors: &mut Vec<MarksError>) -> Option<Rounding>
         errors.push(MarksError::NoStep(text.span));
     }
     step.map(|step| Rounding { step, direction })
+}
+
+fn absent(table: &Table<'_>, errors: &mut Vec<MarksError>) -> Absence {
+    let text = table.text("absent");
+    match text.as_ref().map(|text| text.value.as_str()) {
+        None | Some("left out") => Absence::LeftOut,
+        Some("zero") => Absence::Zero,
+        Some(other) => {
+            let span = text.as_ref().map_or(Span::NONE, |text| text.span);
+            errors.push(MarksError::Absent(other.to_owned(), span));
+            Absence::LeftOut
+        }
+    }
 }
 
 /// A number of points above zero.

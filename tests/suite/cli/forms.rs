@@ -204,6 +204,27 @@ fn a_sheet_is_a_page_without_its_key() {
 }
 
 /// Tables as the sources of scanners write them; none is the file of a scanned exam.
+/// Questions of a blueprint were taken as they are typed, since what read them had no data.
+#[test]
+fn answers_to_questions_of_ones_own_are_read_and_their_keys_are_not_told() {
+    let folder = folder("own-form");
+    let question = "title = 'T'\nseed = 3\nvariants = 1\n[[question]]\ntitle = 'A swing'\n\
+        statement = 'A swing of << m >> turns.'\nparameters = { m = '2 kg' }\n\
+        [[question.part]]\nask = 'Find its frequency.'\nkey = '0.4317 Hz'\n\
+        [[question.part]]\nask = 'Find its weight.'\nkey = 'm*9.8123[m/s^2]'\nunit = 'N'\n\
+        [[question.part]]\nkind = 'work'\nask = 'Draw it.'\nrubric = [{ points = 1, text = 'All' }]\n";
+    let plan = put(&folder, "t.toml", question);
+    let out = text_of(&folder.join("out"));
+    small(&["sheet", &plan, "--out", &out]).ends(0);
+    let ran = small(&["form", &out]).ends(0);
+    assert_eq!(ran.err, "");
+    let manifest = json_of(folder.join("out/manifest.json"));
+    let page = content(folder.join(format!("out/form/{}.html", codes(&manifest)[0])));
+    for told in ["0.4317", "9.8123"] {
+        assert!(!page.contains(told), "{told}");
+    }
+}
+
 #[test]
 fn the_tables_of_scanners_are_read_by_their_headings() {
     let folder = folder("scanners");
@@ -351,6 +372,14 @@ fn a_make_up_has_no_datum_of_the_first_sheet() {
         .complains("no student `s9`")
         .complains("did you mean");
     make_up("Ada").ends(2).complains("named by the id `s1`");
+    // The sheets of the class would be gone.
+    let (sheets, inside) = (content(first.join("sheets.html")), text_of(&first));
+    let in_place = ["--make-up", "s1", "--first", &manifest, "--out", &inside];
+    small(&[&["sheet", &plan], &in_place[..]].concat())
+        .ends(2)
+        .complains("has the sheets of the first run")
+        .complains("a folder of its own");
+    assert_eq!(content(first.join("sheets.html")), sheets);
     small(&[
         "sheet",
         &plan,

@@ -446,6 +446,120 @@ fn a_giant_number_of_variants_or_threads_is_refused_or_bounded() {
         .complains("--threads");
 }
 
+/// A reader that drew each finding with the whole file took minutes for 90,000 of them.
+#[test]
+fn findings_without_end_are_cut_off() {
+    let folder = folder("findings");
+    let keys: String = (0..20_000).map(|key| format!("k{key} = 1\n")).collect();
+    let grades: Vec<String> = (0..20_000).map(|own| format!("g{own} = 1")).collect();
+    let parts = "'a', ".repeat(50_000);
+    let names: Vec<String> = (0..20_000).map(|own| format!("x{own} = '1 kg'")).collect();
+    let head = "seed = 1\nvariants = 1\n";
+    for (name, text) in [
+        ("keys", blueprint(&format!("{head}{keys}"))),
+        (
+            "formats",
+            blueprint(&format!("{head}formats = [{}]", "'md', ".repeat(50_000))),
+        ),
+        (
+            "scale",
+            format!(
+                "{}[marks]\nscale = {{ {} }}\n",
+                blueprint(head),
+                grades.join(", ")
+            ),
+        ),
+        ("parts", format!("{}parts = [{parts}]\n", blueprint(head))),
+        (
+            "set",
+            format!("{}set = {{ {} }}\n", blueprint(head), names.join(", ")),
+        ),
+    ] {
+        let plan = put(&folder, &format!("{name}.toml"), text);
+        let ran = soon(|| small(&["check", &plan])).ends(1);
+        assert!(ran.err.matches("error[").count() < 110, "{name}");
+        ran.complains("more than 100 findings about this file");
+    }
+    let plan = put(&folder, "plan.toml", blueprint(head));
+    let out = folder.join("out");
+    small(&["sheet", &plan, "--out", &text_of(&out)]).ends(0);
+    let form = text_of(&out.join("responses.csv"));
+    let decision = "[[decision]]\nitem = 'free/spring-mass'\npart = 'none'\nvoid = 'full marks'\nwho = 'A'\nwhy = 'B'\n";
+    for text in [decision.repeat(5_000), keys] {
+        put(&out, "decisions.toml", text);
+        soon(|| small(&["grade", &text_of(&out.join("manifest.json")), &form]))
+            .ends(2)
+            .complains("more than 100 findings about this file");
+    }
+}
+
+#[test]
+fn a_line_that_each_page_shows_has_a_bound() {
+    let folder = folder("long-lines");
+    for key in ["title", "course", "date", "duration"] {
+        let long = "x".repeat(100_000);
+        let text = blueprint("seed = 1\nvariants = 1");
+        let text = match key {
+            "title" => text.replace("A test", &long),
+            _ => format!("{key} = '{long}'\n{text}"),
+        };
+        let plan = put(&folder, "plan.toml", text);
+        soon(|| small(&["check", &plan]))
+            .ends(1)
+            .complains(&format!(
+                "100000 letters in the {key}, at most 300 are read"
+            ));
+    }
+}
+
+#[test]
+fn what_messages_quote_neither_steers_the_terminal_nor_fills_it() {
+    for id in ["\u{1b}[31mred\u{7}", "a\rb", &"x".repeat(100_000)] {
+        let ran = small(&["show", id]).ends(2);
+        let steers = |char: char| char.is_control() && char != '\n';
+        assert!(!ran.err.contains(steers), "{:?}", ran.err);
+        assert!(ran.err.len() < 5_000);
+    }
+}
+
+#[test]
+fn a_number_of_threads_that_no_machine_has_is_refused() {
+    let ran = super::run_with(
+        &[("RAYON_NUM_THREADS", "100000"), ("VIBANK_PRESS", "")],
+        &["list", "--bank", BANK],
+    );
+    ran.ends(2).complains("at most 512");
+}
+
+/// Questions that nobody sees were asked for ever where the input had no end.
+#[cfg(target_os = "linux")]
+#[test]
+fn who_asks_and_is_not_heard_ends() {
+    let desk = super::desk::Desk::with_class("unheard", 2);
+    desk.sheet(&desk.short_plan("T"), &[]).ends(0);
+    let manifest = desk.path("manifest.json");
+    for arguments in [["practice", "free/spring-mass"], ["enter", &manifest]] {
+        let full = std::fs::OpenOptions::new().write(true).open("/dev/full");
+        let mut yes = std::process::Command::new("yes")
+            .arg("1")
+            .stdout(std::process::Stdio::piped())
+            .spawn()
+            .expect("there is `yes`");
+        let mut command = std::process::Command::new(env!("CARGO_BIN_EXE_vibank"));
+        command
+            .args(arguments)
+            .args(["--bank", BANK])
+            .env("VIBANK_CACHE", "")
+            .stdin(yes.stdout.take().expect("a pipe"))
+            .stdout(full.expect("Linux has it"))
+            .stderr(std::process::Stdio::null());
+        let ended = soon(|| command.status()).expect("it starts");
+        let _ = yes.kill();
+        let _ = yes.wait();
+        assert_eq!(ended.code(), Some(2), "{arguments:?}");
+    }
+}
+
 #[test]
 fn layouts_of_the_user_can_read_nothing_and_run_nothing() {
     let folder = folder("layouts");

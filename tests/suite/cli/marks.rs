@@ -141,12 +141,77 @@ fn spare_sheets_that_nobody_used_are_in_no_statistics() {
         .ends(0)
         .says("5 sheets: ")
         .says("1 spare sheet has no answer, and is in no statistics");
-    assert_eq!(run.column("points"), ["10", "10", "2", "0", "10", "0"]);
+    assert_eq!(run.column("points"), ["10", "10", "2", "absent", "10", "0"]);
     let groups = run.table("groups.csv");
     let all = ["sheets", "mean", "passed", "failed"].map(|name| groups[0][name].as_str());
-    assert_eq!(all, ["5", "6.400", "3", "2"]);
+    assert_eq!(all, ["4", "8.000", "3", "1"]);
     let report = content(run.folder.join("marks/report.html"));
     assert!(report.contains("Spare sheets without an answer, left out: 1"));
+}
+
+#[test]
+fn a_student_without_any_answer_was_absent_unless_somebody_says_otherwise() {
+    let top = "[marks]\nscale = { A = '50 %', F = '0 %' }\npass = 'A'\n";
+    let run = Run::new("marks-absent", top, ONE);
+    let rows = [
+        "12.57 rad/s,37.7 m/s,b",
+        // Handed in without a word.
+        "-,,",
+        "1 rad/s,1 m/s,a",
+        ",,",
+    ];
+    let heads = "1a,1b,1c";
+    run.grade(heads, &rows, &["--gradebook", "canvas"])
+        .ends(0)
+        .says("4 sheets: ")
+        .says("1 student has no answer and counts as absent: s4");
+    assert_eq!(run.column("points"), ["10", "0", "0", "absent"]);
+    assert_eq!(run.column("grade"), ["A", "F", "F", ""]);
+    assert_eq!(run.column("passed"), ["yes", "no", "no", ""]);
+    let absent = &run.marks()[3];
+    assert_eq!(
+        (&*absent["1"], &*absent["1a"], &*absent["undecided"]),
+        ("", "", "")
+    );
+    assert_eq!((&*absent["name"], &*absent["max"]), ("Dan", "10"));
+    let groups = run.table("groups.csv");
+    let all = ["sheets", "mean", "passed", "failed", "pass rate"];
+    assert_eq!(
+        all.map(|name| groups[0][name].as_str()),
+        ["3", "3.333", "1", "2", "0.333"]
+    );
+    let report = content(run.folder.join("marks/report.html"));
+    assert!(report.contains("Students without an answer, absent: 1"));
+    let book = content(run.folder.join("marks/gradebook.csv"));
+    let row = book.lines().find(|row| row.contains("s4"));
+    assert!(row.is_none_or(|row| row.ends_with(',')), "{book}");
+    let feedback = |at: usize| {
+        let name = format!("marks/feedback/{}.html", run.codes[at]);
+        content(run.folder.join(name))
+    };
+    assert!(feedback(1).contains(", grade F") && !feedback(3).contains(", grade"));
+    // Full marks for all are for those who were there.
+    run.decide(
+        "[[decision]]\nitem = 'c/a'\npart = 'v'\nvoid = 'full marks'\nwho = 'A'\nwhy = 'B'\n",
+    );
+    run.grade(heads, &rows, &[]).ends(0);
+    assert_eq!(run.column("points"), ["10", "5", "5", "absent"]);
+    // Points for this sheet say that the student was there, and so does the rule that there is no absence.
+    run.decide(&format!(
+        "[[decision]]\nitem = 'c/a'\npart = 'v'\nsheet = '{}'\npoints = 0\nwho = 'A'\nwhy = 'B'\n",
+        run.codes[3]
+    ));
+    run.grade(heads, &rows, &[]).ends(0).says("4 sheets: ");
+    assert_eq!(run.column("points"), ["10", "0", "0", "0"]);
+    let none = "[marks]\nscale = { A = '50 %', F = '0 %' }\npass = 'A'\nabsent = 'zero'\n";
+    run.decide(none);
+    run.grade(heads, &rows, &[]).ends(0).says("4 sheets: ");
+    assert_eq!(run.column("grade"), ["A", "F", "F", "F"]);
+    run.decide(&none.replace("zero", "ill"));
+    run.grade(heads, &rows, &[])
+        .ends(2)
+        .complains("`absent` cannot be `ill`")
+        .complains("left out, zero");
 }
 
 #[test]
@@ -320,13 +385,34 @@ fn decisions_are_carried_out_logged_and_listed_with_what_they_change() {
 }
 
 #[test]
+fn a_key_of_a_question_of_ones_own_can_be_corrected() {
+    let question = "[[question]]\ntitle = 'A swing'\nstatement = 'A swing takes 2.5 s.'\nparameters = { T = '2.5 s' }\n\
+        [[question.part]]\nask = 'Find its frequency.'\nkey = '0.5 Hz'\n\
+        [[question.part]]\nask = 'Find ten cycles.'\nkey = '9*T'\nunit = 's'\n\
+        [[question.part]]\nkind = 'formula'\nask = 'Find five cycles in T.'\nkey = '4*T'\n";
+    let run = Run::new("own-key", "", question);
+    let rows = ["0.4 Hz,25 s,5 T", "0.5 Hz,22.5 s,4 T", "-,,", "-,,"];
+    let heads = "1a,1b,1c";
+    run.grade(heads, &rows, &[]).ends(0);
+    assert_eq!(run.column("points"), ["0", "3", "0", "0"]);
+    let key = |part: &str, key: &str| {
+        format!(
+            "[[decision]]\nquestion = 1\npart = '{part}'\nkey = '{key}'\nwho = 'A'\nwhy = 'B'\n"
+        )
+    };
+    run.decide(&[key("a", "0.4 Hz"), key("b", "10*T"), key("c", "5*T")].concat());
+    run.grade(heads, &rows, &[]).ends(0);
+    assert_eq!(run.column("points"), ["3", "0", "0", "0"]);
+}
+
+#[test]
 fn a_void_part_gives_its_points_to_all_to_the_others_or_to_nobody() {
     let run = Run::new("void", "", ONE);
     let rows = [
         "12.57 rad/s,37.7 m/s,b",
         "12.57 rad/s,1 m/s,a",
         ",what?,b",
-        ",,",
+        "-,,",
     ];
     let void = |how: &str| {
         run.decide(&format!(
@@ -445,7 +531,7 @@ fn a_decision_that_cannot_be_carried_out_is_refused_with_its_place() {
     run.decide(&format!(
         "[[decision]]\nitem = 'c/a'\npart = 'way'\nkey = 'along'\n{signed}"
     ));
-    run.grade("1a,1b,1c", &[",,a", ",,b", ",,", ""], &[])
+    run.grade("1a,1b,1c", &[",,a", ",,b", "-,,", "-,,"], &[])
         .ends(0);
     assert_eq!(run.column("1c"), ["3", "0", "0", "0"]);
 }

@@ -203,6 +203,29 @@ fn a_sheet_says_where_its_student_sits_and_what_is_granted() {
     );
 }
 
+/// Thirteen columns of 36 points were wider than the page.
+#[test]
+fn the_table_of_marks_has_fewer_columns_in_large_print() {
+    let desk = Desk::new("print-columns");
+    let list = "id,large_print\ns1,\ns2,18\ns3,36\ns4,8\n";
+    put(&desk.folder, "class.csv", list);
+    let questions = "[[question]]\nitem = 'free/spring-mass'\n".repeat(29);
+    let top = "title = 'T'\nseed = 5\nstudents = 'class.csv'\nsolutions = false\n";
+    let plan = put(&desk.folder, "t.toml", format!("{top}{questions}"));
+    desk.sheet(&plan, &["--split"]).ends(0);
+    let codes = codes(&desk);
+    let rows = |at: usize| {
+        let sheet = desk.text(&format!("sheets/{}.html", codes[at]));
+        let (_, marks) = sheet
+            .split_once("<div class=\"marks\">")
+            .expect("it has marks");
+        let marks = &marks[..marks.find("</div>").expect("it ends")];
+        marks.matches("<table>").count()
+    };
+    // 30 columns, the sum among them.
+    assert_eq!([0, 1, 2, 3].map(rows), [3, 5, 10, 3]);
+}
+
 #[test]
 fn a_size_of_type_that_cannot_be_one_is_refused_with_its_line() {
     let desk = desk("print-size");

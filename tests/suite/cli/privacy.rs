@@ -223,6 +223,20 @@ fn no_manifest_names_a_file_outside_of_its_folder() {
     }
 }
 
+#[test]
+fn no_part_of_a_manifest_has_points_that_none_can_have() {
+    let desk = plain("forged-points");
+    let manifest = desk.text("manifest.json");
+    for bad in ["-1.0", "1e300"] {
+        let forged = manifest.replacen("\"points\":1.0}", &format!("\"points\":{bad}}}"), 1);
+        assert_ne!(forged, manifest);
+        let forged = put(&desk.folder, "forged.json", forged);
+        small(&["grade", &forged, &desk.path("responses.csv")])
+            .ends(2)
+            .complains("is not a number of points");
+    }
+}
+
 #[cfg(unix)]
 mod on_unix {
     use std::fs;
@@ -321,6 +335,25 @@ mod on_unix {
         }
     }
 
+    /// Folders that a run makes within its own are such that somebody could have put a link in their place.
+    #[test]
+    fn no_link_in_place_of_a_folder_of_the_run_is_followed() {
+        let desk = plain("inner-links");
+        let elsewhere = desk.folder.join("elsewhere");
+        fs::create_dir_all(&elsewhere).expect("a folder");
+        for name in ["marks", "form"] {
+            symlink(&elsewhere, desk.out.join(name)).expect("a link");
+        }
+        desk.grade(&[]).ends(2).complains("marks` is a link");
+        desk.run(&["form", &desk.path("manifest.json")])
+            .ends(2)
+            .complains("form` is a link");
+        assert!(all(&elsewhere).is_empty());
+        // Who names it knows where it leads.
+        desk.grade(&["--out", &desk.path("marks")]).ends(0);
+        assert!(elsewhere.join("marks.csv").exists());
+    }
+
     #[test]
     fn what_is_no_file_is_refused_at_once() {
         let desk = Desk::new("pipes");
@@ -337,10 +370,71 @@ mod on_unix {
 }
 
 #[test]
+fn what_interrupted_commands_have_left_beside_a_file_is_removed() {
+    let folder = folder("left-beside");
+    for name in [
+        ".p.html.8pxHX8.part",
+        ".q.xml.a.part",
+        ".other.html.b.part",
+        ".p.html.b.c.part",
+    ] {
+        put(&folder, name, "left");
+    }
+    // One that a program still writes to.
+    let busy = put(&folder, ".p.html.busy.part", "being written");
+    let busy = fs::File::open(busy).expect("it is there");
+    busy.lock().expect("it can be locked");
+    let item = "free/spring-mass";
+    small(&["page", item, "--out", &text_of(&folder.join("p.html"))]).ends(0);
+    let out = text_of(&folder.join("q.xml"));
+    small(&["export", "moodle", item, "--out", &out]).ends(0);
+    let hidden = |path: &PathBuf| {
+        let name = path.file_name().expect("it has a name").to_string_lossy();
+        name.starts_with('.').then(|| name.into_owned())
+    };
+    let mut left: Vec<String> = all(&folder).iter().filter_map(hidden).collect();
+    left.sort();
+    let busy: &[&str] = if cfg!(unix) {
+        &[".p.html.busy.part"]
+    } else {
+        &[]
+    };
+    let others: &[&str] = &[".other.html.b.part", ".p.html.b.c.part"];
+    let expected = [others, busy].concat();
+    assert_eq!(left, expected);
+}
+
+#[test]
+fn a_bank_that_was_begun_is_completed_and_one_of_somebody_stays() {
+    let folder = folder("begun-bank");
+    let bank = text_of(&folder.join("bank"));
+    vibank(&["new", "bank", &bank]).ends(0);
+    let item = content(folder.join("bank/ch1/block-on-a-spring.toml"));
+    vibank(&["new", "bank", &bank])
+        .ends(2)
+        .complains("exists already");
+    // The file that makes it a bank is written last.
+    fs::remove_file(folder.join("bank/bank.toml")).expect("it is there");
+    put(&folder, "bank/ch1/._chapter.toml.Ab12.part", "left");
+    vibank(&["new", "bank", &bank]).ends(0);
+    assert_eq!(all(&folder.join("bank")).len(), 3);
+    fs::remove_file(folder.join("bank/bank.toml")).expect("it is there");
+    put(
+        &folder,
+        "bank/ch1/block-on-a-spring.toml",
+        format!("{item}# mine\n"),
+    );
+    vibank(&["new", "bank", &bank])
+        .ends(2)
+        .complains("exists already");
+}
+
+#[test]
 fn what_an_interrupted_run_has_left_is_removed() {
     let desk = plain("left-over");
     let out = &desk.out;
     fs::create_dir_all(out.join("sheets")).expect("a folder");
+    put(&out.join("form"), ".3PZ-HEN-YFB.html.y.part", "left");
     let left = [
         ".manifest.json.AbC123.part",
         ".sheets.html.part",
@@ -358,6 +452,7 @@ fn what_an_interrupted_run_has_left_is_removed() {
         put(&out.join("marks"), name, "left");
     }
     desk.grade(&[]).ends(0);
+    desk.run(&["form", &desk.path("manifest.json")]).ends(0);
     let hidden = |path: &PathBuf| {
         let name = path.file_name().expect("it has a name").to_string_lossy();
         name.starts_with('.')

@@ -98,6 +98,28 @@ fn a_changed_seat_judges_that_student_alone() {
 }
 
 #[test]
+fn seats_of_two_rooms_are_no_neighbours() {
+    let desk = Desk::new("two-rooms");
+    let plan = desk.short_plan("T");
+    let has_neighbours = |rooms: [&str; 3]| {
+        let rows = (1..).zip(rooms);
+        let rows: String = rows
+            .map(|(id, room)| format!("s{id},N,{room},1-{id}\n"))
+            .collect();
+        put(
+            &desk.folder,
+            "class.csv",
+            format!("id,name,room,seat\n{rows}"),
+        );
+        let _ = fs::remove_dir_all(&desk.out);
+        desk.sheet(&plan, &[]).ends(0);
+        desk.text("fairness.md").contains("beside each other")
+    };
+    assert!(has_neighbours(["H", "H", "H"]));
+    assert!(!has_neighbours(["H", "G", "H"]));
+}
+
+#[test]
 fn spare_sheets_stand_beside_a_list() {
     let desk = Desk::with_class("spares", 3);
     let plan = desk.plan("seed = 5\nstudents = 'class.csv'\nspares = 2");
@@ -180,6 +202,7 @@ fn a_code_is_found_in_the_manifest_of_any_run() {
     put(&desk.out, "responses.csv", &old);
     let ran = desk.grade(&["--no-feedback"]);
     assert!(!ran.err.contains("no sheet"), "{}", ran.err);
+    assert!(!ran.out.contains("absent"), "{}", ran.out);
     ran.says("6 sheets");
     let marks = desk.text("marks/marks.csv");
     let row = old.lines().nth(1).expect("a row");

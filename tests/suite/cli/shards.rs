@@ -46,6 +46,35 @@ fn files(desk: &Desk, folder: &str) -> BTreeMap<String, String> {
     all(&root).into_iter().map(file).collect()
 }
 
+/// Who gave way to another student was forgotten between the parts.
+#[test]
+fn sheets_that_are_joined_are_those_of_one_run() {
+    let desk = Desk::with_class("shard-sheets", 24);
+    // So few data that many first variants repeat another's.
+    let question = "title = 'T'\nseed = 3\nstudents = 'class.csv'\nformats = ['md']\nsolutions = false\n\
+        [[question]]\nitem = 'free/spring-mass'\nset = { k = '400 N/m' }\n";
+    let plan = put(&desk.folder, "t.toml", question);
+    let make = |into: &str, more: &[&str]| {
+        let folder = text_of(&desk.folder.join(into));
+        desk.run(&[&["sheet", &plan, "--out", &folder], more].concat())
+            .ends(0)
+    };
+    for part in ["1/3", "2/3", "3/3"] {
+        make("joined", &["--shard", part]);
+    }
+    make("joined", &["--split"]);
+    make("single", &["--split"]).complains("gave way");
+    let (joined, single) = (files(&desk, "joined"), files(&desk, "single"));
+    assert!(single["fairness.md"].contains("Gave way"));
+    assert_eq!(
+        joined.keys().collect::<Vec<_>>(),
+        single.keys().collect::<Vec<_>>()
+    );
+    for (name, text) in &single {
+        assert!(joined[name] == *text, "{name}");
+    }
+}
+
 #[test]
 fn parts_that_are_joined_are_what_one_run_makes() {
     let desk = answered("grade-shards", 40);

@@ -132,6 +132,28 @@ fn a_class_list_that_would_lose_a_student_is_refused_with_the_line() {
             4,
             "two students `1`, the first in line 2",
         ),
+        // What would be printed on each page of a sheet.
+        (
+            &format!("id,name\n1,Ada\n2,{}\n", "N".repeat(1_000_000)),
+            3,
+            "`name` has 1000000 letters, at most 300 are read",
+        ),
+        (
+            &format!("id,name\n{}\n", ";".repeat(1_000_000)),
+            2,
+            "`id` has 1000000 letters, at most 100 are read",
+        ),
+        // A spreadsheet has rounded the numbers, so that they would be nobody's.
+        (
+            "id;name\n1,23E+11;Ada\n",
+            2,
+            "`1,23E+11`, which a spreadsheet has made of a long number",
+        ),
+        (
+            "id,,name\n1,x,Ada\n",
+            2,
+            "column 2 has no heading; give it one, or empty it",
+        ),
     ] {
         put(&folder, "class.csv", list);
         small(&["sheet", &plan, "--out", &out])
@@ -144,6 +166,19 @@ fn a_class_list_that_would_lose_a_student_is_refused_with_the_line() {
     small(&["sheet", &plan, "--out", &out])
         .ends(2)
         .complains("save it as CSV");
+}
+
+#[test]
+fn what_a_class_list_may_not_mean_is_said_with_its_lines() {
+    let folder = folder("class-notes");
+    let list = "id,name,room,seat,format\n1,Ada,H,A1,\n2,Bob,H,a1,tablet\n3,Cleo,G,A1,screen\n4,Dan,G,window,paper\n";
+    put(&folder, "class.csv", list);
+    let plan = put(&folder, "test.toml", blueprint(TOP));
+    small(&["sheet", &plan, "--out", &text_of(&folder.join("out"))])
+        .ends(0)
+        .complains("seats that two students have: `a1` of `1` (line 2) and `2` (line 3)")
+        .complains("no neighbours are known: `window` of `4` (line 5)")
+        .complains("words under `format`: `tablet` of `2` (line 3)");
 }
 
 #[test]

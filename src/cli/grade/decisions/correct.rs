@@ -3,6 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use vibank::bank::{ItemId, Revision, Template};
+use vibank::source::Value;
 
 use super::{Decisions, Effect};
 use crate::cli::Failure;
@@ -18,24 +19,37 @@ pub(crate) fn corrected(
     used: &BTreeSet<(ItemId, Revision)>,
 ) -> Result<Corrected, Failure> {
     let mut corrected = Corrected::new();
-    for ((item, part), rules) in &decisions.rules {
-        for (_, number) in rules {
-            let decision = &decisions.all[*number];
-            let Effect::Key(key) = &decision.effect else {
-                continue;
-            };
-            for own in used.iter().filter(|(own, _)| own.as_str() == item) {
-                let before = match corrected.get(own) {
-                    Some(before) => before,
-                    None => items.find(&own.0, own.1)?,
-                };
-                let template = before.with_key(part, key).map_err(|error| {
-                    Failure::new(format!("{}: {error}", decision.place))
-                        .help("write the key as the item file would, such as `key = \"sqrt(k/m)\"`")
-                })?;
-                corrected.insert(own.clone(), template);
+    for own in used {
+        let (mut keys, mut place) = (Vec::new(), "");
+        for ((item, part), rules) in &decisions.rules {
+            let all = rules.iter().map(|(_, number)| &decisions.all[*number]);
+            let last = all.filter_map(|decision| match &decision.effect {
+                Effect::Key(key) => Some((decision, key)),
+                _ => None,
+            });
+            // The item is read again with all of them: one after the other would forget those before.
+            if let Some((decision, key)) = last.last().filter(|_| own.0.as_str() == item) {
+                keys.push((part.as_str(), key));
+                place = &decision.place;
+                check(own, &keys[keys.len() - 1..], place, items)?;
             }
+        }
+        if !keys.is_empty() {
+            corrected.insert(own.clone(), check(own, &keys, place, items)?);
         }
     }
     Ok(corrected)
+}
+
+/// An item with these keys; that it cannot have them is said with the place of the last one.
+fn check(
+    own: &(ItemId, Revision),
+    keys: &[(&str, &Value)],
+    place: &str,
+    items: &Items<'_>,
+) -> Result<Template, Failure> {
+    items.find(&own.0, own.1)?.with_keys(keys).map_err(|error| {
+        Failure::new(format!("{place}: {error}"))
+            .help("write the key as the item file would, such as `key = \"sqrt(k/m)\"`")
+    })
 }

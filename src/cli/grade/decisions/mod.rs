@@ -92,6 +92,15 @@ pub(crate) struct Decisions {
 /// The code of the sheet for which a decision holds, all without one, and its number.
 type DecisionRule = (Option<String>, usize);
 
+/// A part of one sheet, as a decision names it.
+fn subject(place: &Place, alike: &AlikeAnswers) -> Subject {
+    Subject {
+        sheet: Some(place.code.clone()),
+        item: alike.item.clone(),
+        part: alike.id.clone(),
+    }
+}
+
 /// What was decided about one part of one sheet, by the numbers of the decisions.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Ruling<'a> {
@@ -103,6 +112,8 @@ pub(crate) struct Ruling<'a> {
     pub(crate) void: Option<(&'a Decision, Void)>,
     /// The numbers of those that hold whatever was answered, from 0.
     pub(crate) numbers: Vec<usize>,
+    /// Whether one of them is about this sheet alone, so that somebody has looked at it.
+    pub(crate) is_own: bool,
 }
 
 /// Answers that are worth something beside the key.
@@ -183,6 +194,7 @@ impl Decisions {
         let mut ruling = Ruling {
             settled: settled.map(|number| &self.all[number]),
             numbers: settled.into_iter().collect(),
+            is_own: self.is_about(place, alike),
             ..Ruling::default()
         };
         let rules = self.rules.get(&(alike.item.clone(), alike.id.clone()));
@@ -190,6 +202,7 @@ impl Decisions {
             if code.as_ref().is_some_and(|code| *code != place.code) {
                 continue;
             }
+            ruling.is_own |= code.is_some();
             let decision = &self.all[*number];
             match &decision.effect {
                 Effect::Void(void) => ruling.void = ruling.void.or(Some((decision, *void))),
@@ -209,15 +222,15 @@ impl Decisions {
         ruling
     }
 
+    /// Whether a part of this sheet alone is settled.
+    fn is_about(&self, place: &Place, alike: &AlikeAnswers) -> bool {
+        self.places.contains_key(place) || self.parts.contains_key(&subject(place, alike))
+    }
+
     fn settling(&self, place: &Place, alike: &AlikeAnswers) -> Option<usize> {
         let own = self.places.get(place);
-        let subject = Subject {
-            sheet: Some(place.code.clone()),
-            item: alike.item.clone(),
-            part: alike.id.clone(),
-        };
         let found = own
-            .or_else(|| self.parts.get(&subject))
+            .or_else(|| self.parts.get(&subject(place, alike)))
             .or_else(|| self.alike.get(alike))
             .or_else(|| {
                 named(place, alike)
