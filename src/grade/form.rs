@@ -20,7 +20,9 @@ pub(crate) fn otherwise(
     if response.is_too_long() || is_of_another(first) {
         return None;
     }
-    let is_open = first.verdict == Verdict::Unreadable && !is_doubtful(first);
+    // Letters of the question may all be units, too: in `2*pi*sqrt(l/g)` a litre and a gram.
+    let is_misfit = first.verdict == Verdict::Wrong && first.reasons().contains(&Reason::Dimension);
+    let is_open = is_misfit || first.verdict == Verdict::Unreadable && !is_doubtful(first);
     let part = &solution.template().parts[place];
     part.answer.other_form()?;
     let folded = part.naming.named(response.folded().ok()?.clone()).ok()?;
@@ -40,12 +42,13 @@ pub(crate) fn otherwise(
     }
     let marking = other.mark(text);
     let reading = marking.reading.clone().filter(|_| is_right(&marking))?;
-    let credit = share(solution, place, sheet).filter(|credit| *credit > Credit::NONE)?;
-    Some(Marking::read(
-        reading,
-        credit,
-        Remark::from(Note::OtherForm),
-    ))
+    match share(solution, place, sheet).filter(|credit| *credit > Credit::NONE) {
+        Some(credit) => {
+            let note = Remark::from(Note::OtherForm);
+            Some(Marking::read(reading, credit, note))
+        }
+        None => is_misfit.then(|| Marking::unreadable(Why::Letters)),
+    }
 }
 
 /// What a response that its own kind hands back stands for in later parts: the value in place of a formula, or the
