@@ -96,12 +96,19 @@ pub(crate) fn boxes(text: &str, count: usize) -> Option<Result<Vec<String>, ()>>
     Some(Ok(answers))
 }
 
+/// The lines of a text that a student has typed.
+///
+/// Tables that Moodle writes have three spaces in place of each line break.
+pub(crate) fn lines(text: &str) -> impl Iterator<Item = &str> {
+    text.lines().flat_map(|line| line.split("   "))
+}
+
 /// The answers to several parts in one text, each behind its letter: `c) k1 + k2`, a new line, `d) …`.
 ///
 /// `None` if letters are missing, in another order, or twice.
 pub(crate) fn essay(text: &str, letters: &[&str]) -> Option<Vec<String>> {
     let mut answers: Vec<String> = Vec::new();
-    for line in text.lines() {
+    for line in lines(text) {
         match labelled(line, letters) {
             Some((at, rest)) if at == answers.len() => answers.push(rest.trim().to_owned()),
             Some(_) => return None,
