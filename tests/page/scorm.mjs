@@ -277,6 +277,8 @@ async function submitting() {
     await frame.getByRole("button", { name: "Submitted" }).waitFor();
     const { share } = await frame.evaluate(() => globalThis.page.course.result());
     assert.ok(share > 0 && share < 1);
+    const { credit } = await frame.evaluate((id) => globalThis.page.stage.record.parts[id], Object.keys(typed).at(-1));
+    assert.equal(credit, 1, "what was typed last counts, and not what was kept before it");
     assert.equal(await frame.locator(".part button[type=submit]:enabled").count(), 0, "nothing can be changed");
     const said = (await frame.locator(".feedback").allTextContents()).join(" ");
     if (about.feedback === "never") assert.ok(!/Right|not the answer/.test(said), said);

@@ -78,11 +78,13 @@ fn decoded(html: &str) -> String {
     while let Some(at) = rest.find('&') {
         out.push_str(&rest[..at]);
         let (code, behind) = rest[at + 1..].split_once(';').expect("an entity ends");
-        out.push(match code.strip_prefix('#') {
-            Some(code) => code.parse().ok().and_then(char::from_u32),
-            None => (code == "amp").then_some('&'),
-        }
-        .expect("a character"));
+        out.push(
+            match code.strip_prefix('#') {
+                Some(code) => code.parse().ok().and_then(char::from_u32),
+                None => (code == "amp").then_some('&'),
+            }
+            .expect("a character"),
+        );
         rest = behind;
     }
     out.push_str(rest);
@@ -428,16 +430,24 @@ fn no_sign_of_the_words_is_taken_for_a_tag() {
             // Moodle's reports cut a text where a letter stands behind the sign.
             for behind in xml.split("&lt;").skip(1) {
                 less += 1;
-                assert!(behind.starts_with(' '), "{}", &behind[..behind.len().min(40)]);
+                assert!(
+                    behind.starts_with(' '),
+                    "{}",
+                    &behind[..behind.len().min(40)]
+                );
             }
             // What is left of a blank when its entities are decoded is HTML in which they are still written as such.
-            for blank in questions(&xml).into_iter().flat_map(|own| blanks(body(own))) {
+            for blank in questions(&xml)
+                .into_iter()
+                .flat_map(|own| blanks(body(own)))
+            {
                 for alternative in &blank.alternatives {
                     let texts = [&alternative.answer, &alternative.feedback];
                     options += texts.iter().filter(|text| text.contains("&lt; ")).count();
                     for text in texts {
                         let is_tag = |behind: &str| {
-                            behind.starts_with(|next: char| next.is_ascii_alphabetic() || next == '/')
+                            behind
+                                .starts_with(|next: char| next.is_ascii_alphabetic() || next == '/')
                         };
                         assert!(text.split('<').skip(1).all(is_tag), "{text}");
                     }

@@ -179,6 +179,12 @@ mod tests {
             read,
             Some(vec!["k1 + k2".to_owned(), "m x'' + k x\n= 0".to_owned()])
         );
+        // As Moodle writes the end of a paragraph.
+        let read = essay("c) k1 + k2      (d1) m x'' + k x   = 0", &letters);
+        assert_eq!(
+            read,
+            Some(vec!["k1 + k2".to_owned(), "m x'' + k x\n= 0".to_owned()])
+        );
         for text in [
             "k1 + k2",
             "d1) x\nc) y",

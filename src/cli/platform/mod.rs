@@ -109,7 +109,11 @@ impl Report {
             };
             let others = groups.iter().filter(|group| !is_own(group));
             foreign.extend(others.map(|group| table.headings[group.start].clone()));
-            ("report of responses", ReportLayout::Groups(questions), first)
+            (
+                "report of responses",
+                ReportLayout::Groups(questions),
+                first,
+            )
         };
         let mut report = Self {
             name,
