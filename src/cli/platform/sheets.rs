@@ -447,12 +447,13 @@ impl AttemptSheet<'_> {
                 .insert(format!("{} {}/{}", own.item, own.code, own.part));
             return;
         };
-        let is_cut = answer.text.chars().count() >= MAX_LENGTH;
+        // A blank at the cut is lost when the table is read.
+        let is_cut = answer.text.chars().count() + 1 >= MAX_LENGTH;
         let why = match &answer.spoilt {
             Some(why) => Some(why.clone()),
             None => is_cut.then(|| {
                 format!(
-                    "the platform keeps {MAX_LENGTH} characters of an answer, and this one has as many"
+                    "the platform keeps {MAX_LENGTH} characters of an answer, and this one may have had more"
                 )
             }),
         };
