@@ -88,23 +88,21 @@ pub(crate) fn number(value: f64) -> String {
 }
 
 /// HTML within a blank: what means something there is written as an entity, line breaks as spaces. The reader of the
-/// notation decodes entities once, so that a `<` of the words needs no letter after it.
+/// notation decodes entities once, so that those of the words are written twice over.
 fn escaped(html: &str) -> String {
     // After its entities the platform takes `\}` for a brace, so that TeX would lose it.
     let html = html.trim();
     let html = html.replace("\\}", "\\rbrace ").replace("\\{", "\\lbrace ");
+    let html = super::moodle::spaced(&html).replace('&', "&amp;");
     let mut out = String::with_capacity(html.len());
-    for (place, sign) in html.char_indices() {
+    for sign in html.chars() {
         match sign {
-            '~' | '#' | '\\' | '}' | '{' | '/' | '"' if !html[..place].ends_with('&') => {
+            '~' | '#' | '\\' | '}' | '{' | '/' | '"' => {
                 out.push_str(&format!("&#{};", u32::from(sign)));
             }
             '\n' | '\r' => out.push(' '),
             _ => out.push(sign),
         }
-    }
-    for letter in ('a'..='z').chain('A'..='Z') {
-        out = out.replace(&format!("&lt;{letter}"), &format!("&lt; {letter}"));
     }
     out
 }

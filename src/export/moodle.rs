@@ -16,7 +16,7 @@ use super::pictures::Pictures;
 use super::units::accepted;
 use super::words::Words;
 use super::{Export, Tally, Wish};
-use crate::answer::{Band, Credit};
+use crate::answer::Band;
 use crate::math::escape;
 use crate::message::Phrase;
 use crate::numerics::Rational;
@@ -122,6 +122,8 @@ impl Moodle {
         let mut pictures = Pictures::default();
         let mut body = words.statement(&mut pictures);
         body.push_str(&words.ask(asked, &mut pictures));
+        let with_unit = self.wish.spoken().phrase(&Phrase::NumberAndUnit);
+        let _ = write!(body, "<p><small>{with_unit}</small></p>");
         let origin = words.origin(&asked.letter);
         let _ = write!(body, "<p><small>{origin}</small></p>");
         let (mut of_worked, mut of_hints) = (Pictures::default(), Pictures::default());
@@ -135,11 +137,6 @@ impl Moodle {
                 (band, feedback, own)
             })
             .collect();
-        // What the marker gives for the number alone is what Moodle leaves of the points for a missing unit.
-        let bare = words.scene.solution().marker(asked.place);
-        let bare = bare.map_or(Credit::NONE, |marker| {
-            marker.mark(&format!("{:e}", bands[0].value)).credit
-        });
         let name = format!("{} [{origin}]", words.title());
         self.question("numerical", &name, &origin, &body, &pictures, |out| {
             html(out, "generalfeedback", &worked, &of_worked);
@@ -159,7 +156,7 @@ impl Moodle {
                 html(out, "feedback", &feedback, &own);
                 let _ = writeln!(out, "    <tolerance>{half}</tolerance></answer>");
             }
-            write_units(out, unit, bare);
+            write_units(out, unit);
             for hint in hints {
                 html(out, "hint", &hint, &of_hints);
             }
@@ -246,11 +243,10 @@ fn single<'w, 'c>(
     (!bands.is_empty()).then_some((asked, bands, unit))
 }
 
-/// The units that a question reads; `bare` is what a number without one is worth.
-fn write_units(out: &mut String, unit: &Unit, bare: Credit) {
-    let penalty = 1.0 - bare.share().to_f64();
-    out.push_str("    <unitgradingtype>1</unitgradingtype>\n");
-    let _ = writeln!(out, "    <unitpenalty>{penalty}</unitpenalty>");
+/// The units that a question reads. A unit that is not among them costs the points, and so does a missing one, since
+/// Moodle makes no difference between the two.
+fn write_units(out: &mut String, unit: &Unit) {
+    out.push_str("    <unitgradingtype>1</unitgradingtype>\n    <unitpenalty>1</unitpenalty>\n");
     out.push_str("    <showunits>0</showunits>\n    <unitsleft>0</unitsleft>\n    <units>\n");
     for (text, factor) in accepted(unit) {
         let factor = cloze::number(factor);
@@ -279,7 +275,7 @@ fn category(out: &mut String, path: &str) {
 fn html(out: &mut String, element: &str, content: &str, pictures: &Pictures) {
     let _ = write!(out, "    <{element} format=\"html\"><text><![CDATA[");
     // The one sequence that ends the section is cut in two.
-    out.push_str(&content.replace("]]>", "]]]]><![CDATA[>"));
+    out.push_str(&spaced(content).replace("]]>", "]]]]><![CDATA[>"));
     out.push_str("]]></text>");
     let used = |name: &str| content.contains(&format!("{FILES}{name}\""));
     for (name, svg) in pictures.files.iter().filter(|(name, _)| used(name)) {
@@ -290,6 +286,12 @@ fn html(out: &mut String, element: &str, content: &str, pictures: &Pictures) {
         );
     }
     let _ = writeln!(out, "</{element}>");
+}
+
+/// HTML with a space after each sign that is less than. In the text of a question Moodle's reports take `<φ` for a tag,
+/// and lose what comes after it: <https://www.php.net/strip_tags>.
+pub(super) fn spaced(html: &str) -> String {
+    html.replace("&lt;", "&lt; ").replace("&lt;  ", "&lt; ")
 }
 
 /// The boxes of a part, what they ask for before them and the unit after.

@@ -90,6 +90,8 @@ pub enum Phrase<'a> {
     NoPlot,
     /// After a box of a course platform, which takes no unit.
     NumberOnly,
+    /// Above a box of a course platform that takes a number with its unit.
+    NumberAndUnit,
     /// The name of a question of a course platform, by its number from 1.
     Question(usize),
     /// The name of the questions of a course platform that a person marks.

@@ -163,8 +163,21 @@ class Page {
 
   submit() {
     if (!confirm(say("submit_really"))) return;
+    this.keepTyped();
     this.course.submit();
     this.open({ number: this.number }, true);
+  }
+
+  /** Answers that were typed and not kept are handed in, too: nobody sees that a button was missed. */
+  keepTyped() {
+    const isTyped = (record) => !record.verdict && Boolean(record.response?.trim());
+    const { number: shown } = this;
+    this.keys.forEach((key, number) => {
+      if (!Object.values(this.memory.questions[key]?.parts ?? {}).some(isTyped)) return;
+      if (number !== this.number) this.open({ number }, false);
+      this.stage.parts.filter(({ record }) => isTyped(record)).forEach((part) => part.mark());
+    });
+    if (this.number !== shown) this.open({ number: shown }, false);
   }
 
   forget() {

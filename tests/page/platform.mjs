@@ -147,6 +147,12 @@ export const open = (frame, number) => frame.evaluate((number) => globalThis.pag
 
 /** Answers as somebody does: by radio button, in a line, or in the entries of a matrix, which take a line too. */
 export async function answer(frame, letter, text) {
+  await type(frame, letter, text);
+  await part(frame, letter).locator("button[type=submit]").click();
+}
+
+/** Answers, and does not say so. */
+export async function type(frame, letter, text) {
   const section = part(frame, letter);
   const options = section.locator("input[type=radio], input[type=checkbox]");
   if ((await options.count()) > 0) {
@@ -156,7 +162,6 @@ export async function answer(frame, letter, text) {
     if (!(await line.isVisible())) await section.locator("fieldset > p > button").click();
     await line.fill(text);
   }
-  await section.locator("button[type=submit]").click();
 }
 
 /** What stands out of the page to the right, with its places. */

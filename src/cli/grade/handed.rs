@@ -92,10 +92,10 @@ impl Handed {
         };
         let kept = std::slice::from_ref(&head.items);
         let items = Items::of(kept, catalogue, arguments.accept_revisions);
-        let (attempts, faults) = report.taken(&known, &|question| {
+        let which = arguments.attempt;
+        let (attempts, faults) = report.taken(&known, which, &|question| {
             items.find(&question.item, question.revision)
         })?;
-        let which = arguments.attempt;
         let count = attempts.len();
         let points = if which == Which::Best {
             let sheets = Sheets::of_attempts(path, &head, Vec::new());

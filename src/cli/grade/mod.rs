@@ -106,7 +106,7 @@ pub(crate) struct Arguments {
     /// Write no feedback pages.
     #[arg(long, conflicts_with = "feedback")]
     no_feedback: bool,
-    /// Which of several attempts of a student counts, in the report of a platform.
+    /// Which of several attempts of a student counts in the report of a platform, or of the tries at a part of a package.
     #[arg(long, value_name = "WHICH", default_value = "last")]
     attempt: Which,
     /// Also write the marks as the gradebook of a platform imports them.

@@ -2,6 +2,8 @@
 
 use std::collections::BTreeMap;
 
+use super::ColumnAnswer;
+use super::origin::Interaction;
 use super::sheets::TakenAttempt;
 
 /// Which of several attempts of a student counts.
@@ -22,6 +24,25 @@ impl Which {
             Self::First => "first",
             Self::Last => "last",
             Self::Best => "best",
+        }
+    }
+
+    /// Whether a try at a part of a package counts in place of one that is known: what the page has said that it is
+    /// worth decides on the best, the later one of equals.
+    pub(super) fn replaces(
+        self,
+        own: &Interaction,
+        answer: &ColumnAnswer,
+        (known, known_answer): (&Interaction, &ColumnAnswer),
+    ) -> bool {
+        let is_later = own.attempt >= known.attempt;
+        match self {
+            Self::First => !is_later,
+            Self::Last => is_later,
+            Self::Best => match answer.result.partial_cmp(&known_answer.result) {
+                Some(std::cmp::Ordering::Equal) | None => is_later,
+                Some(order) => order.is_gt(),
+            },
         }
     }
 

@@ -96,12 +96,19 @@ pub(crate) fn boxes(text: &str, count: usize) -> Option<Result<Vec<String>, ()>>
     Some(Ok(answers))
 }
 
+/// The lines of a text that a student has typed.
+///
+/// Tables that Moodle writes have three spaces in place of each line break.
+pub(crate) fn lines(text: &str) -> impl Iterator<Item = &str> {
+    text.lines().flat_map(|line| line.split("   "))
+}
+
 /// The answers to several parts in one text, each after its letter: `c) k1 + k2`, a new line, `d) …`.
 ///
 /// `None` if letters are missing, in another order, or twice.
 pub(crate) fn essay(text: &str, letters: &[&str]) -> Option<Vec<String>> {
     let mut answers: Vec<String> = Vec::new();
-    for line in text.lines() {
+    for line in lines(text) {
         match labelled(line, letters) {
             Some((at, rest)) if at == answers.len() => answers.push(rest.trim().to_owned()),
             Some(_) => return None,
@@ -168,6 +175,12 @@ mod tests {
     fn parts_of_an_essay_stand_behind_their_letters() {
         let letters = ["c", "d1"];
         let read = essay("c) k1 + k2\n\n(d1) m x'' + k x\n= 0\n", &letters);
+        assert_eq!(
+            read,
+            Some(vec!["k1 + k2".to_owned(), "m x'' + k x\n= 0".to_owned()])
+        );
+        // As Moodle writes the end of a paragraph.
+        let read = essay("c) k1 + k2      (d1) m x'' + k x   = 0", &letters);
         assert_eq!(
             read,
             Some(vec!["k1 + k2".to_owned(), "m x'' + k x\n= 0".to_owned()])

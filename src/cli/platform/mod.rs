@@ -53,6 +53,8 @@ struct ColumnAnswer {
     column: String,
     asked: AnswerTarget,
     text: String,
+    /// The share of the points that the page of a package reported for it.
+    result: Option<f64>,
     /// Why the cell does not hold what was typed.
     spoilt: Option<String>,
 }
@@ -67,8 +69,16 @@ enum AnswerTarget {
 enum ReportLayout {
     /// The headings are the texts of the questions; the points follow in the next column.
     Headings(Vec<(usize, QuestionOrigin)>),
-    /// The columns of the question and of the response.
-    Pairs(Vec<(usize, usize)>),
+    /// The columns of each question.
+    Groups(Vec<QuestionColumns>),
+}
+
+/// Where a report has a question.
+struct QuestionColumns {
+    question: usize,
+    response: usize,
+    /// What a package says that the response is worth.
+    result: Option<usize>,
 }
 
 impl Report {
@@ -92,11 +102,18 @@ impl Report {
                 return Ok(None);
             };
             let first = groups[0].start;
-            let pairs = pairs(path, table, &groups)?;
-            let is_own = |group: &Range<usize>| pairs.iter().any(|(own, _)| group.contains(own));
+            let questions = questions(path, table, &groups)?;
+            let is_own = |group: &Range<usize>| {
+                let mut own = questions.iter();
+                own.any(|columns| group.contains(&columns.question))
+            };
             let others = groups.iter().filter(|group| !is_own(group));
             foreign.extend(others.map(|group| table.headings[group.start].clone()));
-            ("report of responses", ReportLayout::Pairs(pairs), first)
+            (
+                "report of responses",
+                ReportLayout::Groups(questions),
+                first,
+            )
         };
         let mut report = Self {
             name,
@@ -129,12 +146,13 @@ impl Report {
 
     fn attempt(&mut self, table: &Table, layout: &ReportLayout, who: &Who, row: &TableRow<'_>) {
         let mut answers = Vec::new();
-        let mut add = |at: usize, asked: AnswerTarget| {
+        let mut add = |at: usize, asked: AnswerTarget, result: Option<f64>| {
             let spoilt = table.spoilt(row.line, at).map(|spoilt| spoilt.to_string());
             answers.push(ColumnAnswer {
                 column: shown(&table.headings[at]),
                 asked,
                 text: decoded(row.cell(at)).trim().to_owned(),
+                result,
                 spoilt,
             });
         };
@@ -144,15 +162,21 @@ impl Report {
                 let drawn = columns
                     .iter()
                     .filter(|(at, _)| !row.cell(at + 1).is_empty());
-                drawn.for_each(|(at, origin)| add(*at, AnswerTarget::Boxes(origin.clone())));
+                drawn.for_each(|(at, origin)| {
+                    add(*at, AnswerTarget::Boxes(origin.clone()), None);
+                });
             }
-            ReportLayout::Pairs(pairs) => {
-                for (question, response) in pairs {
-                    match asked(row.cell(*question)) {
-                        Some(asked) => add(*response, asked),
-                        None if matches!(row.cell(*question), "" | "-") => {}
+            ReportLayout::Groups(questions) => {
+                for columns in questions {
+                    let question = columns.question;
+                    match asked(row.cell(question)) {
+                        Some(asked) => {
+                            let result = columns.result.and_then(|at| result(row.cell(at)));
+                            add(columns.response, asked, result);
+                        }
+                        None if matches!(row.cell(question), "" | "-") => {}
                         None => {
-                            self.foreign.insert(table.headings[*question].clone());
+                            self.foreign.insert(table.headings[question].clone());
                         }
                     }
                 }
@@ -266,24 +290,33 @@ fn is_one_of(heading: &str, words: &[&str]) -> bool {
     words.iter().any(|word| heading.contains(word))
 }
 
-/// In each group the column of the question, and that of the response after it.
-fn pairs(
+/// What the standard's word for the result of an interaction is worth; other words are none.
+fn result(word: &str) -> Option<f64> {
+    match word {
+        "correct" => Some(1.0),
+        "wrong" | "incorrect" => Some(0.0),
+        _ => word.parse().ok(),
+    }
+}
+
+/// In each group the column of the question, that of the response after it, and the last one if it has results.
+fn questions(
     path: &Path,
     table: &Table,
     groups: &[Range<usize>],
-) -> Result<Vec<(usize, usize)>, Failure> {
+) -> Result<Vec<QuestionColumns>, Failure> {
     let none = |_: &TableRow<'_>| false;
-    let mut questions = BTreeSet::new();
+    let mut known = BTreeSet::new();
     for row in table.rows(&none).flatten() {
         let columns = groups.iter().flat_map(Clone::clone);
-        questions.extend(columns.filter(|at| asked(row.cell(*at)).is_some()));
+        known.extend(columns.filter(|at| asked(row.cell(*at)).is_some()));
     }
-    if questions.is_empty() {
+    if known.is_empty() {
         return Err(nothing(path, "report of a platform"));
     }
     let mut found = Vec::new();
     for group in groups {
-        let Some(question) = group.clone().find(|at| questions.contains(at)) else {
+        let Some(question) = group.clone().find(|at| known.contains(at)) else {
             continue;
         };
         let response = question + 1;
@@ -295,7 +328,11 @@ fn pairs(
             ))
             .help("tick the display of the response before you download the report; Moodle shows none for packages of SCORM 2004, only of 1.2"));
         }
-        found.push((question, response));
+        found.push(QuestionColumns {
+            question,
+            response,
+            result: (group.end - 1 > response).then_some(group.end - 1),
+        });
     }
     Ok(found)
 }

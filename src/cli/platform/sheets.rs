@@ -8,7 +8,8 @@ use vibank::grade::{Responses, Row};
 use vibank::seed::{Seed, Variant};
 use vibank::worksheet::{Manifest, PartEntry, QuestionEntry, VariantEntry, letter};
 
-use super::cells::{boxes, essay};
+use super::attempts::Which;
+use super::cells::{boxes, essay, lines};
 use super::moment::Moment;
 use super::options::chosen;
 use super::origin::{BoxAnswer as Boxed, Interaction, QuestionOrigin};
@@ -148,11 +149,12 @@ impl KnownQuestions<'_> {
 }
 
 impl Report {
-    /// The attempts as sheets; `template` finds the item of a question. What could not be matched is added to the
+    /// The attempts as sheets; `which` of the tries at a part of a package counts; `template` finds the item of a question. What could not be matched is added to the
     /// faults.
     pub(crate) fn taken<'t>(
         mut self,
         known: &KnownQuestions<'_>,
+        which: Which,
         template: &dyn Fn(&QuestionEntry) -> Result<&'t Template, Failure>,
     ) -> Result<(Vec<TakenAttempt>, Vec<String>), Failure> {
         for column in &self.foreign {
@@ -169,6 +171,7 @@ impl Report {
                 lost: &mut lost,
                 unanswered: &mut unanswered,
                 line: attempt.line,
+                which,
                 next: known.most() + 1,
             };
             sheet.fill(attempt, known, template)?;
@@ -226,6 +229,7 @@ struct AttemptSheet<'f> {
     /// Questions of a package by place, for those who did not answer them.
     unanswered: &'f mut BTreeMap<usize, QuestionEntry>,
     line: usize,
+    which: Which,
     /// The number of the next question whose own number is taken.
     next: usize,
 }
@@ -251,13 +255,13 @@ impl AttemptSheet<'_> {
                         self.lost.insert(name);
                     }
                 },
-                // Each try is reported; the last one counts.
+                // Each try is reported.
                 AnswerTarget::Interaction(own) => {
                     let is_same = |(known, _): &(&Interaction, &ColumnAnswer)| {
                         (&known.item, &known.part, known.code) == (&own.item, &own.part, own.code)
                     };
                     match tries.iter().position(is_same) {
-                        Some(at) if tries[at].0.attempt > own.attempt => {}
+                        Some(at) if !self.which.replaces(own, answer, tries[at]) => {}
                         Some(at) => tries[at] = (own, answer),
                         None => tries.push((own, answer)),
                     }
@@ -391,7 +395,11 @@ impl AttemptSheet<'_> {
                 );
             }
             None => match &origin.boxes[..] {
-                [_] => (vec![text.to_owned()], answer.is_canvas()),
+                [_] if answer.is_canvas() => (vec![text.to_owned()], true),
+                [_] => {
+                    let lines = lines(text).map(str::trim).filter(|line| !line.is_empty());
+                    (vec![lines.collect::<Vec<_>>().join("\n")], false)
+                }
                 several => {
                     let letters: Vec<&str> =
                         several.iter().map(|own| own.letter.as_str()).collect();
@@ -440,12 +448,13 @@ impl AttemptSheet<'_> {
                 .insert(format!("{} {}/{}", own.item, own.code, own.part));
             return;
         };
-        let is_cut = answer.text.chars().count() >= MAX_LENGTH;
+        // A blank at the cut is lost when the table is read.
+        let is_cut = answer.text.chars().count() + 1 >= MAX_LENGTH;
         let why = match &answer.spoilt {
             Some(why) => Some(why.clone()),
             None => is_cut.then(|| {
                 format!(
-                    "the platform keeps {MAX_LENGTH} characters of an answer, and this one has as many"
+                    "the platform keeps {MAX_LENGTH} characters of an answer, and this one may have had more"
                 )
             }),
         };

@@ -158,7 +158,7 @@ impl Table {
                 return Ok(row);
             };
             let (line, column) = (row.line, at + 1);
-            // Behind the last heading a cell with a delimiter in it has shifted the others.
+            // After the last heading a cell with a delimiter in it has shifted the others.
             let is_between = |at: usize| {
                 let mut behind = self.headings.iter().skip(at);
                 behind.any(|heading| !heading.is_empty())

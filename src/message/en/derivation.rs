@@ -74,6 +74,7 @@ pub(crate) fn phrase(phrase: &Phrase<'_>) -> String {
         Phrase::Plot(description) => format!("(Plot: {description})"),
         Phrase::NoPlot => "(no plot for these data)".to_owned(),
         Phrase::NumberOnly => "(number only)".to_owned(),
+        Phrase::NumberAndUnit => "(number and unit)".to_owned(),
         Phrase::Question(number) => format!("Question {number}"),
         Phrase::Essays => "essays".to_owned(),
         Phrase::Points => "Points".to_owned(),

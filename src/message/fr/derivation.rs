@@ -92,6 +92,7 @@ pub(crate) fn phrase(phrase: &Phrase<'_>) -> String {
         Phrase::Plot(description) => format!("(Graphique : {description})"),
         Phrase::NoPlot => "(pas de graphique pour ces données)".to_owned(),
         Phrase::NumberOnly => "(nombre seul)".to_owned(),
+        Phrase::NumberAndUnit => "(nombre et unité)".to_owned(),
         Phrase::Question(number) => format!("Exercice {number}"),
         Phrase::Essays => "réponses rédigées".to_owned(),
         Phrase::Points => "Points".to_owned(),

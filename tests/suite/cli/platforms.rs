@@ -1,4 +1,4 @@
-//! `vibank grade` on reports of course platforms: fixtures made from the columns that the platforms' sources write.
+//! `vibank grade` on reports of course platforms, as `tests/fixtures/platforms/README.md` says where they come from.
 
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
@@ -30,7 +30,7 @@ impl Course {
         let quiz = format!("{FIXTURES}/quiz.toml");
         let path = |name: &str| text_of(&self.folder.join(name));
         match report {
-            "moodle-quiz.csv" => {
+            "moodle-quiz.csv" | "moodle-quiz-fr.csv" => {
                 let out = path("quiz.xml");
                 self.run(&["export", "moodle", &quiz, "--essay", "--out", &out])
                     .ends(0);
@@ -99,12 +99,26 @@ fn marked(report: &str, more: &[&str], expected: &str) -> (Course, Ran) {
     (course, ran)
 }
 
+/// What Moodle wrote of one quiz, on a site in English and on one in French.
+const QUIZ: [&str; 2] = ["moodle-quiz.csv", "moodle-quiz-fr.csv"];
+
 #[test]
 fn answers_to_a_quiz_of_moodle_are_marked_by_this_grader() {
-    let (_, ran) = marked(
-        "moodle-quiz.csv",
-        &[],
-        "1001 1a right
+    for (report, [question, response]) in QUIZ
+        .into_iter()
+        .zip([["Question 3", "Response 2"], ["Question 3", "Réponse 2"]])
+    {
+        let (_, ran) = marked(report, &[], VERDICTS);
+        ran.ends(1)
+            .says("4 attempts of 3 students; of several the last counts")
+            .complains(&format!("not marked: `{question}`"))
+            .complains(&format!(
+                "line 5, column `{response}`: the answers to b, d, e do not follow their letters"
+            ));
+    }
+}
+
+const VERDICTS: &str = "1001 1a right
          1001 1b right
          1001 1c right
          1001 1d right
@@ -118,15 +132,7 @@ fn answers_to_a_quiz_of_moodle_are_marked_by_this_grader() {
          1004 1b unreadable
          1004 1c wrong
          1004 1d right
-         1004 1e missing",
-    );
-    ran.ends(1)
-        .says("4 attempts of 3 students; of several the last counts")
-        .complains("not marked: `Question 3`")
-        .complains(
-            "line 64, column `Response 2`: the answers to b, d, e do not follow their letters",
-        );
-}
+         1004 1e missing";
 
 #[test]
 fn first_and_best_attempts_are_told_apart() {
@@ -155,7 +161,7 @@ fn answers_in_a_package_are_marked_anew() {
         "1001 1a right
          1001 1b right
          1001 1c right
-         1001 1d right
+         1001 1d partial
          1001 1e missing
          1002 1a wrong
          1002 1b missing
@@ -164,7 +170,28 @@ fn answers_in_a_package_are_marked_anew() {
          1002 1e unreadable",
     );
     ran.ends(1)
-        .complains("line 3, column `Response 1`: the platform keeps 255 characters of an answer");
+        .complains("line 4, column `Response 1`: the platform keeps 255 characters of an answer");
+}
+
+#[test]
+fn of_the_tries_in_a_package_the_one_that_is_wished_counts() {
+    // Tries at `a` were wrong and right, at `d` right and half right.
+    for (which, [a, d]) in [
+        ("first", ["wrong", "right"]),
+        ("last", ["right", "partial"]),
+        ("best", ["right", "right"]),
+    ] {
+        let course = Course::new(&format!("platform-tries-{which}"));
+        let package = course.questions("moodle-scorm.txt");
+        let report = format!("{FIXTURES}/moodle-scorm.txt");
+        course.grade(&package, &report, &["--attempt", which]);
+        let verdicts = course.verdicts();
+        assert_eq!(
+            [&verdicts["1001 1a"], &verdicts["1001 1d"]],
+            [a, d],
+            "{which}"
+        );
+    }
 }
 
 #[test]
@@ -202,14 +229,14 @@ fn reports_are_read_in_the_language_of_the_site() {
     let course = Course::new("platform-german");
     let manifest = course.questions("moodle-quiz.csv");
     let report = changed(&course, |text| {
-        text.replace("Last name,First name,ID number,Email address,Status,Started,Completed,Duration,Grade/10.00", "Nachname,Vorname,ID-Nummer,E-Mail-Adresse,Status,Begonnen,Beendet,Dauer,\"Bewertung/10,00\"")
+        text.replace("\"Last name\",\"First name\",\"ID number\",\"Email address\",Status,Started,Completed,Duration,Grade/10.00", "Nachname,Vorname,Kennung,E-Mail-Adresse,Status,Begonnen,Beendet,Dauer,\"Bewertung/10,00\"")
             .replace("Right answer ", "Richtige Antwort ")
             .replace("Question ", "Frage ")
             .replace("Response ", "Antwort ")
             .replace("part 1:", "Teil 1:")
             .replace("part 2:", "Teil 2:")
-            .replace("2 November 2026  9:05 AM", "2. November 2026 09:05")
-            .replace("2 November 2026  5:20 PM", "2. November 2026 17:20")
+            .replace("2 November 2026  8:52 AM", "2. November 2026 08:52")
+            .replace("2 November 2026  5:07 PM", "2. November 2026 17:07")
             .replace("18.7;", "18,7;")
     });
     course.grade(&manifest, &report, &[]).ends(1);
