@@ -37,6 +37,7 @@ impl Values<'_> {
         let whole = whole?;
         let mut amount = self.checked(&whole.value, part)?;
         let others = whole.others.iter();
+        amount.is_by_rule = true;
         amount
             .others
             .extend(others.filter_map(|other| self.checked(other, part).ok()));
