@@ -266,6 +266,8 @@ pub(crate) const LEADS: &[&str] = &[
     "it's",
     "this is",
     "we get",
+    "we find that",
+    "we have that",
     "we find",
     "we have",
     "i get",
