@@ -346,7 +346,7 @@ fn begins_value(text: &str) -> bool {
 
 /// A symbol without what may stand around it: bars, its unit in brackets.
 fn without_frame(label: &str) -> &str {
-    let label = label.trim_matches(['|', '[', ']', ' ']);
+    let label = response::without_unit(label.trim()).trim_matches(['|', '[', ']', ' ']);
     if !label.ends_with([')', ']']) {
         return label;
     }

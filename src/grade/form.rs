@@ -69,6 +69,9 @@ pub(crate) fn standing(
     other.reading.is_some().then_some(other)
 }
 
+/// The most sides of a statement in both forms, each of which is marked: a derivation has a few.
+const MAX_SIDES: usize = 12;
+
 /// The marking of a statement with sides in both forms: that of its last side in the form that is asked, if all others
 /// agree with it.
 fn statement(
@@ -102,13 +105,20 @@ fn statement(
             sides.pop();
         }
     }
-    let marked: Vec<(Marking, Marking)> = sides.iter().map(|side| mark(side)).collect();
+    if sides.len() > MAX_SIDES {
+        return None;
+    }
+    let mut marked: Vec<(Marking, Marking)> = Vec::with_capacity(sides.len());
+    for side in sides {
+        let (own, other) = mark(side);
+        if own.reading.is_none() && other.reading.is_none() {
+            return None;
+        }
+        marked.push((own, other));
+    }
     let is_in_form = |(own, _): &&(Marking, Marking)| own.reading.is_some();
     let in_form = marked.iter().filter(is_in_form).count();
-    let are_read = marked
-        .iter()
-        .all(|(own, other)| own.reading.is_some() || other.reading.is_some());
-    if !are_read || in_form == 0 || in_form == marked.len() {
+    if in_form == 0 || in_form == marked.len() {
         return None;
     }
     let (counts, _) = marked.iter().rfind(is_in_form)?;

@@ -51,6 +51,9 @@ same("1", D(-1).exp(), "exp(-1)", "e^-1", "e^(-1)", "1/exp(1)")
 same("1", "0.25", "1/4", "25 %", "25%", "0,25", "0.25", "2.5e-1", "(1/2)^2", "0.5²")
 same("1", "8", "2^3", "2**3", "2³", "8")
 # Degrees behind arithmetic hold for all of it, but for what has π or its own sign.
+same("rad", D("60.5") * PI / 180, "60°30'", "60° 30′", "+60°30'0\"", "60°29'60\"")
+same("rad", -D("53.13") * PI / 180, "-53°7'48\"", "−53° 7′ 48″", "-53º7'48''")
+same("rad/s", D("1.59") * 2 * PI, "1.59 in Hz")
 same("rad", D("198.7") * PI / 180, "198.7°", "397.4/2 deg", "397.4/2°", "180 + 18.7 deg", "-180+378.7°", "360 - 161.3 deg", "180° + 18.7°", "(397.4/2) deg", "2*99.35°", "φ = 180° + 18.7°", "π + 18.7°")
 same("rad", D("-161.3") * PI / 180, "18.7° - 180°", "18.7 - 180 deg", "-161.3 degrees")
 # Chains of equal sides, names, marks behind a number.
@@ -62,7 +65,7 @@ same("m", "1250", "1'250 m", "1’250", "1.25 e3")
 same("m/s^2", "5", "5 m/s/s", "5 m/s²", "5 m s-2")
 same("rad", PI / 3, "Pi/3", "PI/3", "π⁄3")
 # Units by dimension.
-same("rad/s", "10", "10 rad/s", "10 s^-1", "10 1/s", "10/s", "10 s⁻¹", "10", "10 rad s^-1", "10 rad·s⁻¹", "10 rads/s", "10 radians per second", "10 Rad/s", "10 rad/sec", "0.01 rad/ms", "ω = 10 rad/s", "omega_n = 10 rad/s", "10 \\frac{rad}{s}", "600 rad/min")
+same("rad/s", "10", "10 rad/s", "10 s^-1", "10 1/s", "10/s", "10 s⁻¹", "10", "10 rad s^-1", "10 rad·s⁻¹", "10 rads/s", "10 radians per second", "10 Rad/s", "10 rad/sec", "0.01 rad/ms", "ω = 10 rad/s", "ω (rad/s) = 10", "ω [rad/s] = 10", "ω/(rad/s) = 10", "10 in rad/s", "10 rad/s approx", "10 rad/s, approx.", "10 rad/s (1.59 Hz)", "10 rad/s or 1.59 Hz", "omega_n = 10 rad/s", "10 \\frac{rad}{s}", "600 rad/min")
 same("rad/s", 2 * PI * D("1.5915"), "1.5915 Hz", "1,5915 Hz", "1.5915 hz", "1591.5 mHz", "0.0015915 kHz")
 same("rad/s", D("95.49") * PI / 30, "95.49 rpm", "95.49 rev/min", "95,49 RPM")
 same("rad/s", 20 * PI, "10 Hz", "600 rpm", "10 rev/s")
@@ -105,9 +108,9 @@ for response, value in {
 for asked, responses in {
     "m/s": ["2.5 ms^-1", "2.5 ms-1", "2.5 ms⁻¹", "9 kmh"],
     "m/s^2": ["5 ms^-2", "5 ms⁻²"],
-    "rad/s": ["10 rads^-1", "ω <= 10", "ω ≥ 10", "ω != 10", "ω not = 10", "ω = 9; ω = 10", "ω = 9, ω = 10", "99 rad/s = 10 rad/s", "f (Hz) = 1.59", "ω (rad/s) = 10", "f in Hz = 1.59", "ω² = 10", "sqrt(ω) = 10", "2ω = 20", "-ω = -10", "ω/2 = 5", "ω = 9 k = 10", "sin ω = 10", "10 = 2ω", "π:3", "10 rad/s (1.59 Hz)", "10 rad/s or 1.59 Hz", "10 rad/s approx", "10(1) rad/s"],
+    "rad/s": ["10 rads^-1", "ω <= 10", "ω ≥ 10", "ω != 10", "ω not = 10", "ω = 9; ω = 10", "ω = 9, ω = 10", "99 rad/s = 10 rad/s", "f (Hz) = 1.59", "f in Hz = 1.59", "f/Hz = 1.59", "ω² = 10", "sqrt(ω) = 10", "2ω = 20", "-ω = -10", "ω/2 = 5", "ω = 9 k = 10", "sin ω = 10", "10 = 2ω", "π:3", "10(1) rad/s"],
     "N s/m": ["6 N/m/s"],
-    "rad": ["180°-10°", "18.7°-180°", "180° + 10", "60 grad", "66.67 grad", "60°30'", "60° 0′", "60°0'0\""],
+    "rad": ["180°-10°", "18.7°-180°", "180° + 10", "60 grad", "66.67 grad"],
     "m": ["0.29 (2/7)", "0.(285714)", "7.78(1)", "100 1", "10 mm-5 mm", "3 m-2 m", "5 inch", "2*3 m * 4"],
     "1": ["2 cycles", "2 periods", "3 degrees of freedom"],
 }.items():

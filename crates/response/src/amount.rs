@@ -19,6 +19,8 @@ pub struct Amount {
     pub unit: Unit,
     /// Other readings, the likelier first.
     pub others: Vec<Amount>,
+    /// Whether the rules for products without signs say which of the readings is meant.
+    pub is_by_rule: bool,
 }
 
 /// What was typed as a number.
@@ -36,6 +38,7 @@ impl Amount {
             number: Number::Decimal(value),
             unit,
             others: Vec::new(),
+            is_by_rule: false,
         }
     }
 
@@ -65,6 +68,7 @@ pub(crate) fn split(formula: &Expr) -> Result<Amount, Trouble> {
         number: Number::Formula(expr),
         unit: unit.unwrap_or(Unit::ONE),
         others: Vec::new(),
+        is_by_rule: false,
     })
 }
 

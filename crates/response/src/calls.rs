@@ -90,6 +90,7 @@ impl Parser<'_> {
             Powered::Root => ("root", 1, 2),
             Powered::Complex => ("complex", 2, 2),
             Powered::Polar => ("polar", 2, 2),
+            Powered::Quotient => ("Rational", 2, 2),
         };
         let whole = |value| Expr::new(number(value), span);
         let mut arguments = self.listed()?.into_iter();
@@ -109,6 +110,9 @@ impl Parser<'_> {
                 let angle = Self::binary(Operator::Multiply, unit, angle)?;
                 let turned = Self::binary(Operator::Power, base, angle)?;
                 return Self::binary(Operator::Multiply, modulus, turned);
+            }
+            (Powered::Quotient, (Some(above), Some(below), None)) => {
+                return Self::binary(Operator::Divide, above, below);
             }
             (Powered::Root, (Some(base), None, None)) => {
                 return Ok(Expr::new(Kind::Call(Function::Sqrt, vec![base]), span));

@@ -6,14 +6,16 @@ mod programs;
 mod spaces;
 
 use std::borrow::Cow;
+use std::cell::OnceCell;
 
 use self::alphabets::unstyled;
 use self::latex::Environment;
 use self::programs::holds_list;
 use self::spaces::OneWidth;
-use super::signs::{Plain, RUNS, TURNS, begins_run, is_minus, of_char};
+use super::signs::{ANGLES, BULLETS, Plain, RUNS, TURNS, begins_run, is_minus, of_char};
 use super::surroundings::{answer_in, behind_words, enumeration};
 use super::words::{EQUATIONS, LISTS, NUMBERS, PERCENT, ROOTS, VERBS, WORDS};
+use vibank_formula::unit::Unit;
 use vibank_source::Span;
 
 /// A response in plain signs: letters of mathematical alphabets as ordinary ones, one minus, one sign for "at most",
@@ -88,7 +90,13 @@ impl<'t> Folded<'t> {
             at: 0,
             text: String::with_capacity(typed.len()),
             pieces: Vec::new(),
+            dropped: Vec::new(),
             blanked: Vec::new(),
+            marks: Vec::new(),
+            is_unmarked: false,
+            is_shouted: is_shouted(typed),
+            has_over: typed.contains("\\over"),
+            partners: OnceCell::new(),
             equals: Vec::new(),
             row_ends: Vec::new(),
             has_cells: has_cells(typed),
@@ -97,6 +105,8 @@ impl<'t> Folded<'t> {
             overs: Vec::new(),
         };
         folder.enumerate();
+        folder.bullets();
+        folder.derive();
         while folder.at < typed.len() {
             folder.piece();
         }
@@ -217,6 +227,7 @@ fn is_plain(typed: &str) -> bool {
             .match_indices('(')
             .any(|(at, _)| is_called(&typed[..at]))
         && !typed.split(' ').any(begins_words)
+        && !is_shouted(typed)
         && answer_in(typed).len() == typed.len()
         && enumeration(typed).is_empty()
 }
@@ -231,8 +242,9 @@ fn begins_sign(rest: &[u8]) -> bool {
             | [b'+', b'-', ..]
             | [b'+', b'/', b'-', ..]
             | [b'-', b'/', b'+', ..]
-            | [b'_', b']' | b'C', ..]
+            | [b'_', b']' | b'C' | b'_' | b'(', ..]
             | [b'C', b'[', ..]
+            | [b'S', b'u', b'b', b's', b'c', ..]
             | [b'>' | b'<', b' ', b'=', ..]
             | [b' ', b'1', b'0', b'^', ..]
     )
@@ -243,6 +255,95 @@ fn is_called(before: &str) -> bool {
     [ROOTS, NUMBERS, LISTS, EQUATIONS]
         .iter()
         .any(|names| names.iter().any(|name| before.ends_with(name)))
+}
+
+/// Signs after which a value begins, and no factor of what stands before them.
+const BEFORE_A_VALUE: [char; 11] = ['=', '≈', ':', ';', ',', '\n', '<', '>', '≤', '≥', '('];
+
+/// Arrows from a step of a derivation to the next, and from an equation to one that says the same.
+const ARROWS: [&str; 17] = [
+    "⇒",
+    "⟹",
+    "⇔",
+    "⟺",
+    "∴",
+    "=>",
+    "->",
+    "→",
+    "⟶",
+    "\\Rightarrow",
+    "\\implies",
+    "\\Longrightarrow",
+    "\\Leftrightarrow",
+    "\\iff",
+    "\\therefore",
+    "\\rightarrow",
+    "\\to",
+];
+/// Those of them that are also signs of a bound, a rule or a limit, and lead from an equation to another alone.
+const AMBIGUOUS_ARROWS: [&str; 6] = ["=>", "->", "→", "⟶", "\\rightarrow", "\\to"];
+
+/// What may stand with an arrow before the first step of a line.
+const ARROWS_AND_SPACES: [char; 9] = [' ', '\n', '⇒', '⟹', '⇔', '⟺', '∴', '→', '⟶'];
+
+/// Where the last step begins in a line that has some, after its arrow.
+fn end_of_steps(line: &str) -> Option<usize> {
+    let may_lead = |byte: u8| byte == b'>' || byte == b'\\' || !byte.is_ascii();
+    if !line.bytes().any(may_lead) {
+        return None;
+    }
+    let found = ARROWS
+        .iter()
+        .filter_map(|arrow| Some((line.rfind(arrow)?, *arrow)));
+    let (at, arrow) = found.max_by_key(|(at, arrow)| at + arrow.len())?;
+    let (before, behind) = (&line[..at], &line[at + arrow.len()..]);
+    let is_command =
+        arrow.starts_with('\\') && behind.starts_with(|next: char| next.is_ascii_alphabetic());
+    let is_within =
+        before.matches(['(', '[', '{']).count() != before.matches([')', ']', '}']).count();
+    let relates = |text: &str| text.contains(['=', '≈']);
+    let is_led_to = before.trim().is_empty() || before.contains(['=', '≈', '<', '>', '≤', '≥']);
+    let is_sure = if AMBIGUOUS_ARROWS.contains(&arrow) {
+        relates(before) && relates(behind)
+    } else {
+        is_led_to
+    };
+    // `ω1² = 4 ⇒ ω1 = 2, ω2² = 9 ⇒ ω2 = 3` derives two values.
+    let arrow_before = ARROWS
+        .iter()
+        .filter_map(|arrow| Some(before.rfind(arrow)? + arrow.len()))
+        .max();
+    let is_one = arrow_before.is_none_or(|end| !before[end..].contains([',', '&']));
+    let is_step = !is_command && !is_within && is_sure && is_one && !behind.trim().is_empty();
+    is_step.then_some(at + arrow.len())
+}
+
+/// Where the equals sign stands in a line that is about the same symbol as the line before, and says nothing of where
+/// either holds.
+fn repeated(before: &str, line: &str) -> Option<usize> {
+    let bare = |text: &'_ str| -> bool {
+        !text.contains([',', '<', '>', '≤', '≥', '&', '\\', '[', '{'])
+    };
+    let (own, _) = line.split_once('=')?;
+    let (other, _) = before.split_once('=')?;
+    let is_symbol = |text: &str| {
+        text.chars()
+            .all(|char| char.is_alphanumeric() || "_' ".contains(char))
+    };
+    let says_where = |text: &str| {
+        [" for ", " if ", " when ", " pour "]
+            .iter()
+            .any(|word| text.contains(word))
+    };
+    let is_same = !own.trim().is_empty() && own.trim() == other.trim() && is_symbol(own.trim());
+    (is_same && bare(line) && bare(before) && !says_where(line) && !says_where(before))
+        .then_some(own.len())
+}
+
+/// Whether words are in capitals throughout, as those of options are shouted.
+fn is_shouted(typed: &str) -> bool {
+    let is_word = |word: &str| word.chars().filter(|char| char.is_uppercase()).count() > 2;
+    !typed.contains(char::is_lowercase) && typed.split(' ').filter(|word| is_word(word)).count() > 1
 }
 
 /// Whether tabs part the cells of several rows, as spreadsheets copy them.
@@ -267,6 +368,9 @@ fn has_barred_numbers(typed: &str) -> bool {
 
 /// Whether one of the words that stand for others begins with a word.
 fn begins_words(own: &str) -> bool {
+    if matches!(own, "y" | "e" | "in") {
+        return true;
+    }
     let is_word = |byte: u8| byte.is_ascii_alphabetic() || byte == b'.';
     let is_begun = |words: &str| {
         let behind = words.as_bytes().get(own.len());
@@ -296,8 +400,20 @@ struct Folder<'t> {
     at: usize,
     text: String,
     pieces: Vec<(u32, u32)>,
+    /// Steps before the answer, and symbols that are repeated.
+    dropped: Vec<std::ops::Range<usize>>,
     /// Braces of wrappers, which become spaces.
     blanked: Vec<usize>,
+    /// Where marks of Markdown stand that are open, ascending.
+    marks: Vec<usize>,
+    /// Whether no mark of Markdown closes from here on.
+    is_unmarked: bool,
+    /// Whether words are in capitals throughout.
+    is_shouted: bool,
+    /// Whether a command may part a group into a fraction.
+    has_over: bool,
+    /// Where each brace opens, and where its partner closes, once they were looked for.
+    partners: OnceCell<Vec<(usize, usize)>>,
     /// Commas that stand for an equals sign.
     equals: Vec<usize>,
     /// What ends the rows of a matrix, or one of several answers.
@@ -327,6 +443,111 @@ impl Folder<'_> {
             self.row_ends.extend(sign);
             self.blanked.extend(label.filter(|at| Some(*at) != sign));
         }
+    }
+
+    /// Finds the marks before the points of a list, one on each line; a dash is one where each line has a symbol or is set
+    /// apart.
+    fn bullets(&mut self) {
+        let lines = || self.typed.lines().filter(|line| !line.trim().is_empty());
+        let Some(mark) = self.typed.trim_start().get(..2) else {
+            return;
+        };
+        let is_mark = BULLETS.contains(&mark) || mark == "- ";
+        if !is_mark || lines().count() < 2 {
+            return;
+        }
+        let is_point = |line: &str| {
+            line.trim_start().starts_with(mark)
+                && (mark != "- " || line.contains(['=', '≈', ':']) || line.contains("**"))
+        };
+        if lines().all(is_point) {
+            let start = self.typed.as_ptr() as usize;
+            let places = lines().map(|line| {
+                let own = line.as_ptr() as usize - start;
+                own + line.len() - line.trim_start().len()
+            });
+            let places: Vec<usize> = places.collect();
+            self.blanked.extend(places);
+        }
+    }
+
+    /// Finds the steps of a derivation, of which the last one is the answer: `ω² = 4/s² ⇒ ω = 2 rad/s`; and lines that go
+    /// on with what the line before is about, `ω = √(k/m)` and `ω = 2 rad/s`.
+    fn derive(&mut self) {
+        let (start, text) = (self.answer.start, &self.typed[self.answer.clone()]);
+        let mut line_before: Option<std::ops::Range<usize>> = None;
+        let mut at = start;
+        for line in text.split_inclusive(['\n', ';']) {
+            let own = at..at + line.len();
+            at = own.end;
+            if line.trim().is_empty() {
+                continue;
+            }
+            if let Some(end) = end_of_steps(line) {
+                let is_first = line[..end].trim_start_matches(ARROWS_AND_SPACES).is_empty();
+                let from = line_before
+                    .filter(|_| is_first)
+                    .map_or(own.start, |own| own.start);
+                self.dropped.push(from..own.start + end);
+            } else if let Some(before) = &line_before
+                && self.typed[before.clone()].ends_with('\n')
+                && let Some(end) = repeated(&self.typed[before.clone()], line)
+            {
+                // Up to the equals sign, with the end of the line before.
+                self.dropped.push(before.end - 1..own.start + end);
+            }
+            line_before = Some(own);
+        }
+        // The next one last.
+        self.dropped.reverse();
+    }
+
+    fn is_dropped(&mut self) -> bool {
+        while self.dropped.last().is_some_and(|own| own.end <= self.at) {
+            self.dropped.pop();
+        }
+        self.dropped
+            .last()
+            .is_some_and(|own| own.contains(&self.at))
+    }
+
+    /// Whether one of the marks stands here that set a part of an answer apart in Markdown, `ω = **5 rad/s**`. What opens
+    /// has nothing before it that it could multiply, and its partner nothing behind it.
+    fn is_set_apart(&mut self, mark: char) -> bool {
+        if self.marks.first() == Some(&self.at) {
+            self.marks.remove(0);
+            return true;
+        }
+        let typed = self.typed;
+        let rest = &typed[self.at..self.answer.end];
+        let before = self.text.trim_end_matches(' ');
+        let is_behind_nothing = before.is_empty() || before.ends_with(BEFORE_A_VALUE);
+        let mark: &'static str = match mark {
+            '*' if rest.starts_with("**") => "**",
+            '_' if rest.starts_with("__") => "__",
+            '`' => "`",
+            _ => return false,
+        };
+        let inner = &rest[mark.len()..];
+        let may_open = !self.is_unmarked && self.marks.is_empty() && is_behind_nothing;
+        if !may_open || inner.starts_with([' ', '*', '_', '`', '\n']) {
+            return false;
+        }
+        let closes = |(at, _): &(usize, &str)| {
+            let behind = inner[at + mark.len()..].chars().next();
+            let is_apart =
+                behind.is_none_or(|next| next.is_whitespace() || ".,;:!?)".contains(next));
+            is_apart && *at > 0 && !inner[..*at].ends_with([' ', '*', '_'])
+        };
+        let Some((close, _)) = inner.match_indices(mark).find(closes) else {
+            // None of those behind it closes anything either.
+            self.is_unmarked = true;
+            return false;
+        };
+        let (open, close) = (self.at, self.at + mark.len() + close);
+        self.marks.extend(open + 1..open + mark.len());
+        self.marks.extend(close..close + mark.len());
+        true
     }
 
     /// Writes a text for the next `length` bytes.
@@ -372,8 +593,11 @@ impl Folder<'_> {
         // The order counts: what is said around the answer goes first, then what encloses and parts it, then
         // words, then runs of signs. The table of single signs comes last, since all the others begin with
         // one of these.
-        if !self.answer.contains(&self.at) {
+        if !self.answer.contains(&self.at) || self.is_dropped() {
             return self.write("", width);
+        }
+        if "*_`".contains(char) && self.is_set_apart(char) {
+            return self.write(" ", width);
         }
         if self.blanked.contains(&self.at) || char == '$' {
             return self.write(" ", width);
@@ -416,25 +640,53 @@ impl Folder<'_> {
         if char == '~' && self.is_nearly() {
             return self.write("≈", 1);
         }
+        // Copied from a page, dots stand before their letter: `m ¨x`.
+        if let Some(length) = self.dots_before() {
+            let (dots, letter) = self.rest()[..length].split_at('¨'.len_utf8());
+            let dots = if dots == "¨" { "\u{308}" } else { "\u{307}" };
+            let letter = format!(" {}{dots}", unstyled(letter.chars().next().unwrap_or(' ')));
+            return self.write(&letter, length);
+        }
         // A dot belongs to the letter before it, whatever stands between.
-        if char == ' ' && self.rest()[1..].starts_with(['\u{307}', '\u{308}', '¨', '˙']) {
+        if char == ' '
+            && self.rest()[1..].starts_with(['\u{307}', '\u{308}', '¨', '˙'])
+            && !self.rest()[1..]
+                .chars()
+                .nth(1)
+                .is_some_and(char::is_alphabetic)
+        {
             return self.write("", width);
         }
-        if char.is_ascii_alphabetic() && (self.equation() || self.matrix()) {
+        if char.is_ascii_alphabetic() && (self.equation() || self.matrix() || self.subscript()) {
             return;
         }
-        if let Some((length, plain)) = self.word() {
+        if let Some((length, plain)) = self.word().or_else(|| self.word_of_list()) {
             return self.write(plain, length);
+        }
+        if char == '\n' {
+            return self.line_ends();
         }
         let others = self.beside_digits().or_else(|| self.dots());
         if let Some((length, plain)) = others.or_else(|| self.before_others()) {
             return self.write(plain, length);
+        }
+        if char.is_ascii_digit() && self.minutes() {
+            return;
         }
         if self.rest().starts_with("^{\\circ}") {
             return self.write("°", "^{\\circ}".len());
         }
         if self.rest().starts_with("^\\circ") {
             return self.write("°", "^\\circ".len());
+        }
+        if char == '_'
+            && let Some((index, length)) = self.bracketed_index()
+        {
+            return self.write(&format!("_{{{index}}}"), length);
+        }
+        // `u = <1, 2>`
+        if char == '=' && self.is_before_chevrons() {
+            return self.write("=", 1);
         }
         let mut runs = RUNS.iter().filter(|_| begins_run(char));
         if let Some((run, sign)) = runs.find(|(run, _)| self.rest().starts_with(run)) {
@@ -457,11 +709,17 @@ impl Folder<'_> {
         }
         let rest = self.rest();
         let of_words = |rest: &str| {
-            let mut likely = WORDS.iter().filter(|(words, _)| begin_alike(rest, words));
+            let is_same = |head: &str, word: &str| {
+                head == word || self.is_shouted && head.eq_ignore_ascii_case(word)
+            };
+            let mut likely = WORDS
+                .iter()
+                .filter(|(words, _)| self.is_shouted || begin_alike(rest, words));
             likely.find_map(|(words, plain)| {
-                let behind = behind_words(rest, words, str::eq)?;
+                let behind = behind_words(rest, words, is_same)?;
+                let may_end = *plain == PERCENT || matches!(*plain, "^2" | "^3");
                 let ends = behind.starts_with(' ')
-                    || *plain == PERCENT && !behind.starts_with(char::is_alphanumeric);
+                    || may_end && !behind.starts_with(char::is_alphanumeric);
                 ends.then(|| (rest.len() - behind.len(), *plain))
             })
         };
@@ -481,6 +739,75 @@ impl Folder<'_> {
             .filter(|(_, plain)| {
                 !before.is_empty() || matches!(*plain, "<" | ">" | "≤" | "≥" | "-")
             })
+    }
+
+    /// `53°7'48"`, degrees with their minutes and seconds, as a sum; whether they stand here.
+    fn minutes(&mut self) -> bool {
+        if self.typed[..self.at]
+            .ends_with(|before: char| before.is_ascii_digit() || ".,".contains(before))
+        {
+            return false;
+        }
+        let typed = self.typed;
+        let rest = &typed[self.at..self.answer.end];
+        let number = |text: &'_ str| {
+            let bare = text.trim_start_matches(' ');
+            let end = bare.find(|char: char| !(char.is_ascii_digit() || ".,".contains(char)));
+            let end = end.unwrap_or(bare.len());
+            (end > 0 && bare.starts_with(|first: char| first.is_ascii_digit()))
+                .then(|| (text.len() - bare.len(), text.len() - bare.len() + end))
+        };
+        let Some((0, degrees)) = number(rest) else {
+            return false;
+        };
+        let behind_sign = |text: &'_ str, signs: &[&str]| -> Option<usize> {
+            let bare = text.trim_start_matches(' ');
+            let sign = signs.iter().find(|sign| bare.starts_with(**sign))?;
+            Some(text.len() - bare.len() + sign.len())
+        };
+        let Some(sign) = behind_sign(&rest[degrees..], &["°", "º", "˚"]) else {
+            return false;
+        };
+        let mut at = degrees + sign;
+        let mut sum = rest[..degrees].to_owned();
+        for (signs, share) in ANGLES {
+            let Some((from, to)) = number(&rest[at..]) else {
+                break;
+            };
+            let Some(sign) = behind_sign(&rest[at + to..], signs) else {
+                break;
+            };
+            sum.push_str(&format!("+{}/{share}", &rest[at + from..at + to]));
+            at += to + sign;
+        }
+        let has_minutes = sum.contains("/60");
+        if has_minutes {
+            self.write(&format!("({sum})°"), at);
+        }
+        has_minutes
+    }
+
+    /// Words that are letters elsewhere: `y` and `e` between two values, `in` before a unit that ends the response.
+    fn word_of_list(&self) -> Option<(usize, &'static str)> {
+        let before = self.typed[self.answer.start..self.at].strip_suffix(' ')?;
+        let rest = &self.typed[self.at..self.answer.end];
+        let is_value = |char: char| char.is_ascii_digit() || "°)".contains(char);
+        if let Some(unit) = rest.strip_prefix("in ") {
+            let is_unit = Unit::read(unit.trim()).is_ok() && !unit.trim().is_empty();
+            return (is_unit && before.ends_with(is_value)).then_some((2, " "));
+        }
+        let word = ["y ", "e "]
+            .into_iter()
+            .find(|word| rest.starts_with(word))?;
+        let next = rest[word.len()..].trim_start_matches('-');
+        let digits = next.trim_start_matches(|char: char| char.is_ascii_digit());
+        let is_number = digits.len() < next.len();
+        // `3 e 5` may have a power of ten, which has no decimals.
+        let is_sure = word == "y " || digits.starts_with(['.', ',']);
+        let is_behind = before.ends_with(is_value)
+            || before.ends_with(char::is_alphabetic)
+                && before.starts_with(|first: char| first.is_ascii_digit() || first == '-');
+        (is_number && is_sure && is_behind).then_some((1, "and"))
     }
 
     /// `x1..`, the dots of a derivative after its letter; one dot alone is such where two are.
@@ -503,6 +830,36 @@ impl Folder<'_> {
         is_dot.then_some((1, "\u{307}"))
     }
 
+    /// The index in round brackets that word processors write, `k_(eq)`, with its length.
+    fn bracketed_index(&self) -> Option<(String, usize)> {
+        let inner = self.rest().strip_prefix("_(")?;
+        let (index, _) = inner.split_once(')')?;
+        let plain: String = index.chars().map(unstyled).collect();
+        let is_index = !plain.is_empty()
+            && plain.chars().all(|char| char.is_ascii_alphanumeric())
+            && self.typed[..self.at].ends_with(char::is_alphabetic);
+        is_index.then_some((plain, index.len() + 3))
+    }
+
+    /// Whether the list of chevrons to the end of the answer comes after an equals sign.
+    fn is_before_chevrons(&self) -> bool {
+        let list = self.typed[self.at + 1..self.answer.end].trim();
+        let inner = list
+            .strip_prefix('<')
+            .and_then(|list| list.strip_suffix('>'));
+        inner.is_some_and(|inner| inner.contains([',', ';']) && !inner.contains(['<', '>', '=']))
+    }
+
+    /// The length of dots that a letter follows, where nothing stands right before them and they have no letter there.
+    fn dots_before(&self) -> Option<usize> {
+        let rest = self.rest();
+        let behind = rest.strip_prefix(['¨', '˙'])?;
+        let before = &self.typed[..self.at];
+        let is_apart = before.is_empty() || before.ends_with([' ', '+', '-', '*', '=', '(', '·']);
+        let letter = behind.chars().next().filter(|next| next.is_alphabetic())?;
+        is_apart.then(|| rest.len() - behind.len() + letter.len_utf8())
+    }
+
     /// `1.4 10^-2`, as on paper; whether the space before the power stands here. In square brackets it parts entries.
     fn is_before_power_of_ten(&self) -> bool {
         let before = &self.typed[..self.at];
@@ -516,14 +873,22 @@ impl Folder<'_> {
             && !before.contains(['[', '&', '^'])
     }
 
-    /// What is read together with what comes after it: units of turning, roots, a statement that goes on in the
-    /// next line.
+    /// The ends of lines that follow each other, and the spaces between them: none where the statement goes on in the next
+    /// line.
+    fn line_ends(&mut self) {
+        let typed = self.typed;
+        let rest = &typed[self.at..self.answer.end];
+        let next = rest.trim_start_matches([' ', '\n']);
+        let blank = &rest[..rest.len() - next.len()];
+        let run = blank.rfind('\n').map_or(1, |last| last + 1);
+        let goes_on = next.trim_start().starts_with(['=', '≈'])
+            || self.text.trim_end_matches(' ').ends_with(['=', '≈']);
+        self.write(if goes_on { " " } else { &rest[..run] }, run);
+    }
+
+    /// What is read together with what comes after it: units of turning, roots.
     fn before_others(&self) -> Option<(usize, &'static str)> {
         let rest = self.rest();
-        if let Some(next) = rest.strip_prefix('\n') {
-            let goes_on = next.trim_start().starts_with(['=', '≈']);
-            return goes_on.then_some((1, " "));
-        }
         if !rest.starts_with(char::is_alphabetic)
             || self.typed[..self.at].ends_with(|char: char| char.is_alphabetic() || char == '_')
         {
@@ -608,6 +973,38 @@ mod tests {
             ("Réponse\u{a0}: 5\u{202f}m", " 5 m"),
             ("x\u{a0}≥ 1 et\u{a0}x ≤ 2", "x ≥ 1 and x ≤ 2"),
             ("x ＞＝ １", "x ≥ 1"),
+            ("x = **5** m", "x =   5   m"),
+            ("x **2", "x ^2"),
+            ("x **2 + y** 2", "x ^2 + y^ 2"),
+            ("x² = 4 ⇒ x = 2", " x = 2"),
+            ("x² = 4\n⇒ x = 2", " x = 2"),
+            ("a ⇒ b", "a ⇒ b"),
+            (
+                "a = 1 ⇒ b = 2, c = 3 ⇒ d = 4",
+                "a = 1 ⇒ b = 2, c = 3 ⇒ d = 4",
+            ),
+            ("* x = 1\n* y = 2", "x = 1\n  y = 2"),
+            ("- x = 1\n- y = 2", "  x = 1\n  y = 2"),
+            ("- 1\n- 2", "- 1\n- 2"),
+            ("x = 4 => y = 2", " y = 2"),
+            ("x => 2", "x ≥ 2"),
+            ("x = a/2\nx = 5", "x = a/2= 5"),
+            ("x = a, t < 1\nx = b, t > 1", "x = a, t < 1\nx = b, t > 1"),
+            ("x =\n\n  5", "x =   5"),
+            ("53°7'48\"", "(53+7/60+48/3600)°"),
+            ("53°", "53°"),
+            ("3.5 y 4 m", "3.5 and 4 m"),
+            ("3 y + 4", "3 y + 4"),
+            ("3.5 e 4.5", "3.5 and 4.5"),
+            ("3 e 5", "3 e 5"),
+            ("k_(eq)", "k_{eq}"),
+            ("Subscript[m, b]", "m_{b}"),
+            ("\\dv[2]{x}{t}", "\\frac{d^{2} x}{dt^{2}}"),
+            ("m ¨x", "m  x\u{308}"),
+            ("x ¨ + 1", "x\u{308} + 1"),
+            ("u=<1, 2>", "u= <1, 2>"),
+            ("x =< 2", "x ≤ 2"),
+            ("A TIMES B PLUS C", "A * B + C"),
         ] {
             assert_eq!(Folded::of(pasted).unwrap().text(), meant, "{pasted}");
         }

@@ -2,6 +2,7 @@
 
 use super::Folded;
 use super::letters::{Letters, greek_word};
+use vibank_formula::unit::Unit;
 use vibank_notation::Math;
 
 /// A symbol in one spelling: Greek letters as words, indices and exponents on the line, without spaces and brackets.
@@ -58,6 +59,17 @@ impl Label {
         }
         Self(label)
     }
+}
+
+/// A symbol without the unit that stands beside it, `f in Hz`, `f/Hz`; one of one letter may be a divisor.
+pub fn without_unit(label: &str) -> &str {
+    let parts = label.split_once(" in ").or_else(|| label.split_once('/'));
+    let Some((name, unit)) = parts else {
+        return label;
+    };
+    let unit = unit.trim().trim_matches(['(', ')']);
+    let is_unit = unit.chars().count() > 1 && Unit::read(unit).is_ok();
+    if is_unit { name.trim_end() } else { label }
 }
 
 #[cfg(test)]

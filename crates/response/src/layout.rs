@@ -195,14 +195,17 @@ fn environments(plain: &mut String) {
 fn rows_by_line(text: &str) -> String {
     let text = barred_rows(text).unwrap_or_else(|| text.to_owned());
     let ends = |at: usize| {
+        let is_blank = text[at + 1..].trim_start_matches(' ').starts_with('\n');
+        if is_blank {
+            return false;
+        }
         let before = text[..at]
             .trim_end()
             .ends_with([',', ';', '&', '[', '(', '{', '=']);
         let after = text[at..]
             .trim_start()
             .starts_with([']', ')', '}', ',', ';']);
-        let is_blank = text[at + 1..].trim_start_matches(' ').starts_with('\n');
-        !before && !after && !is_blank
+        !before && !after
     };
     let mut line_ends = text.match_indices('\n').map(|(at, _)| at);
     let digit = |char: char| char.is_ascii_digit();
@@ -223,6 +226,11 @@ fn barred_rows(text: &str) -> Option<String> {
     let row = |line: &str| {
         let inner = line.trim().strip_prefix('|')?.strip_suffix('|')?;
         let start = line.len() - line.trim_start().len();
+        // The rule below the head of a table of Markdown.
+        if inner.contains('-') && inner.chars().all(|char| "-:| ".contains(char)) {
+            return Some(" ".repeat(line.len()));
+        }
+        let inner = inner.replace('|', ",");
         Some(format!(
             "{}[{inner}]{}",
             &line[..start],
@@ -293,10 +301,14 @@ fn parted(text: &str, may: impl Fn(usize, char, char) -> bool) -> String {
 /// The signs around the space at a place where it stands between two entries.
 fn entries_around(text: &str, at: usize) -> Option<(char, char)> {
     let before = text[..at].chars().next_back()?;
+    // Within a run of spaces nothing is looked for.
+    let ends = before.is_alphanumeric() || ")]}²³'.".contains(before);
+    if !ends {
+        return None;
+    }
     let mut after = text[at..].trim_start().chars();
     let (next, second) = (after.next()?, after.next());
-    let ends = before.is_alphanumeric() || ")]}²³'.".contains(before);
     let begins = |char: char| char.is_alphanumeric() || "([{√\\.".contains(char);
     let is_signed = "+-".contains(next) && second.is_some_and(begins);
-    (ends && (begins(next) || is_signed)).then_some((before, next))
+    (begins(next) || is_signed).then_some((before, next))
 }

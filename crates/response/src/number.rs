@@ -274,11 +274,17 @@ impl Lexer<'_> {
 
     /// Why a number or a unit here cannot be read, and what to type instead.
     fn unreadable(&self, error: &Error, start: usize) -> TypedError {
-        let (from, to) = (start + error.span.start, start + error.span.end);
-        let end = to.clamp(start, self.text.len());
+        // A decimal sign may be wider in the text than where the number was read.
+        let boundary = |at: usize| {
+            let mut places = at..self.text.len();
+            places
+                .find(|at| self.text.is_char_boundary(*at))
+                .unwrap_or(self.text.len())
+        };
+        let end = boundary(start + error.span.end);
         TypedError {
             trouble: Trouble::Value(ValueTrouble::Quantity(error.clone())),
-            span: Span::new(from.min(end), end),
+            span: Span::new(boundary(start + error.span.start).min(end), end),
         }
     }
 

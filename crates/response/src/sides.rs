@@ -1,12 +1,14 @@
 //! What stands around the equals signs of a formula: the symbol that is asked, and what it is.
 
 use super::differential::leibniz;
+use super::letters::{greek_word, is_dotted};
 use super::lexer::tokens;
 use super::list::trimmed;
+use super::signs::is_apostrophe;
 use super::token::{Item, Token};
 use super::{Lexicon, Manner, Trouble, TypedError};
 use vibank_formula::expr::Function;
-use vibank_source::Span;
+use vibank_source::{Span, lower};
 
 /// What a text says that its symbol is: each side of the equals signs but the symbol, the last one last.
 ///
@@ -15,6 +17,12 @@ use vibank_source::Span;
 /// Where more than a symbol stands on the left: `ω0² = k/m` is true, but no formula for ω0.
 pub fn sides(text: &str, lexicon: &Lexicon) -> Result<Vec<Span>, TypedError> {
     let mut sides = cut_at_equals(text);
+    if let Some(end) = label(text, lexicon) {
+        sides = cut_at_equals(&text[end..])
+            .into_iter()
+            .map(|side| Span::new(end + side.range().start, end + side.range().end))
+            .collect();
+    }
     let last = sides.pop().unwrap_or(Span::new(0, text.len()));
     sides.retain(|side| !text[side.range()].is_empty());
     let of = |side: &Span| symbol(&text[side.range()], lexicon);
@@ -31,6 +39,85 @@ pub fn sides(text: &str, lexicon: &Lexicon) -> Result<Vec<Span>, TypedError> {
     }
     sides.push(last);
     Ok(sides)
+}
+
+/// Where a symbol ends with its colon, `T: m v²/2`.
+fn label(text: &str, lexicon: &Lexicon) -> Option<usize> {
+    let at = text.find(':')?;
+    let is_colon = !text[at + 1..].starts_with('=') && !text[..at].contains(['=', '≈']);
+    let is_symbol = is_colon && symbol(text[..at].trim(), lexicon).is_some();
+    is_symbol.then_some(at + 1)
+}
+
+/// What comes after words that describe what is asked, `the natural frequency ω`, `the amplitude`; nothing where there
+/// are none, or where they say that it is another value, `half the period`.
+pub fn described(text: &str) -> Option<&str> {
+    /// Shorter words may be products of letters.
+    const MIN_LETTERS: usize = 4;
+    const SMALL: [&str; 27] = [
+        "the", "of", "a", "an", "for", "its", "our", "at", "in", "on", "to", "my", "la", "le",
+        "les", "de", "du", "des", "die", "der", "das", "el", "los", "las", "il", "lo", "un",
+    ];
+    const OTHERS: [&str; 22] = [
+        "square",
+        "squared",
+        "inverse",
+        "reciprocal",
+        "half",
+        "twice",
+        "double",
+        "triple",
+        "root",
+        "negative",
+        "minus",
+        "times",
+        "derivative",
+        "logarithm",
+        "difference",
+        "change",
+        "not",
+        "never",
+        "quarter",
+        "third",
+        "cube",
+        "cubed",
+    ];
+    /// One word alone may be a symbol with its index, `xmax`.
+    const MIN_LETTERS_ALONE: usize = 6;
+    let (mut rest, mut count, mut longest) = (text.trim(), 0, 0);
+    while let Some(word) = rest.split_whitespace().next() {
+        let is_of_word = |char: char| {
+            char.is_alphabetic() && !is_dotted(char) || char == '-' || is_apostrophe(char)
+        };
+        let lower = lower(word);
+        if OTHERS.contains(&lower.as_str()) {
+            return None;
+        }
+        // `tany`, `xdot`, `thetadot`, `omegan`
+        let begins = |function: Function| {
+            let behind = lower.strip_prefix(function.name());
+            behind.is_some_and(|behind| behind.len() < 3)
+        };
+        let is_symbol =
+            lower.ends_with("dot") || greek_prefix(&lower) || Function::all().any(begins);
+        let length = word.chars().count();
+        let is_due = length >= MIN_LETTERS || SMALL.contains(&lower.as_str());
+        if !word.chars().all(is_of_word) || word.ends_with(is_apostrophe) || is_symbol || !is_due {
+            break;
+        }
+        (count, longest) = (count + 1, length.max(longest));
+        rest = rest[word.len()..].trim_start();
+    }
+    let is_said = longest >= MIN_LETTERS && count > 1 || longest >= MIN_LETTERS_ALONE;
+    is_said.then_some(rest)
+}
+
+/// Whether a word begins with the name of a Greek letter.
+fn greek_prefix(word: &str) -> bool {
+    const SHORTEST: usize = 3;
+    let ends = word.char_indices().map(|(at, _)| at).chain([word.len()]);
+    ends.skip(SHORTEST)
+        .any(|end| greek_word(&word[..end]).is_some())
 }
 
 /// The pieces of a text between its equals signs, the symbol before the first one among them.
@@ -72,6 +159,11 @@ enum Symbol {
 
 /// Whether a text is one symbol: `ω0`, `k_{ser}`, `x(t)`, `|X|`, `dx/dt`, `ω_d [rad/s]`.
 fn symbol(text: &str, lexicon: &Lexicon) -> Option<Symbol> {
+    let text = match described(text) {
+        Some("") => return Some(Symbol::Asked),
+        Some(rest) => rest,
+        None => text,
+    };
     let text = without_arguments(text.trim_matches(['$', ' ']));
     let bare = text
         .strip_prefix('|')

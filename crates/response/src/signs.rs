@@ -42,8 +42,31 @@ pub(crate) fn of_char(char: char) -> Option<Plain> {
         '¨' => "\u{308}",
         '˙' => "\u{307}",
         // Brackets, points, raising.
-        '⟨' | '〈' => "(",
-        '⟩' | '〉' => ")",
+        // The brackets of word processors that are not shown.
+        '⟨' | '〈' | '〖' => "(",
+        '⟩' | '〉' | '〗' => ")",
+        // Units that are one sign.
+        '㎜' => "mm",
+        '㎝' => "cm",
+        '㎞' => "km",
+        '㎎' => "mg",
+        '㎏' => "kg",
+        '㎳' => "ms",
+        '㎧' => "m/s",
+        '㎨' => "m/s^2",
+        '㎐' => "Hz",
+        '㎑' => "kHz",
+        '㎒' => "MHz",
+        '㎩' => "Pa",
+        '㎪' => "kPa",
+        '㎫' => "MPa",
+        '㎬' => "GPa",
+        '㎭' => "rad",
+        '㎮' => "rad/s",
+        '㎯' => "rad/s^2",
+        '㎃' => "mA",
+        '㏀' => "kΩ",
+        '㎌' => "µF",
         // Brackets over several lines, as programs draw them.
         '⎡' | '⎛' => "[",
         '⎦' | '⎠' => "]",
@@ -77,6 +100,20 @@ pub(crate) fn of_char(char: char) -> Option<Plain> {
 pub(crate) fn is_minus(char: char) -> bool {
     char == '-' || of_char(char) == Some(Text("-"))
 }
+
+/// Whether a sign is one of those that stand for an apostrophe, as within `Newton's`.
+pub(crate) fn is_apostrophe(char: char) -> bool {
+    char == '\'' || of_char(char) == Some(Text("'"))
+}
+
+/// The signs after minutes and after seconds of an angle, the longer ones first, with how many make a degree.
+pub(crate) const ANGLES: [(&[&str], u32); 2] = [
+    (&["'", "′", "’"], 60),
+    (&["''", "′′", "\"", "″", "”"], 3600),
+];
+
+/// Marks before the points of a list, and that of a prompt.
+pub(crate) const BULLETS: &[&str] = &["* ", "• ", "· ", "‣ ", "◦ ", "▪ ", ">>> "];
 
 /// The sign that is a decimal sign and nothing else.
 pub(crate) const DECIMAL: char = '⎖';
@@ -216,6 +253,8 @@ pub(crate) const COMMANDS: &[(&str, Plain)] = &[
     ("dfrac", Text("\\frac")),
     ("tfrac", Text("\\frac")),
     ("cfrac", Text("\\frac")),
+    ("nicefrac", Text("\\frac")),
+    ("sfrac", Text("\\frac")),
     ("textrm", Text("\\mathrm")),
     ("mathsf", Text("\\mathrm")),
     ("textsf", Text("\\mathrm")),
@@ -237,6 +276,12 @@ pub(crate) const COMMANDS: &[(&str, Plain)] = &[
     ("textstyle", Nothing),
     ("limits", Nothing),
     ("hline", Nothing),
+    ("enspace", Text(" ")),
+    ("thinspace", Text(" ")),
+    ("notag", Nothing),
+    ("nonumber", Nothing),
+    ("checkmark", Nothing),
+    ("centering", Nothing),
     ("boxed", Nothing),
     ("fbox", Nothing),
     ("SI", Nothing),
@@ -313,7 +358,11 @@ pub(crate) const WRAPPERS: &[(&str, usize)] = &[
     ("si", 1),
     ("unit", 1),
     ("num", 1),
+    ("ensuremath", 1),
 ];
+
+/// Commands whose argument says nothing of the answer: numbers and names of equations.
+pub(crate) const NUMBERED: &[&str] = &["tag", "label", "vspace", "hspace"];
 
 /// Commands that set the face of letters: around digits or nothing their braces are spaces, too.
 pub(crate) const FACES: &[&str] = &[

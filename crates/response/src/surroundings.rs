@@ -2,24 +2,30 @@
 
 use std::ops::Range;
 
+use super::letters::greek_word;
 use super::list::cut;
-use super::signs::{QUOTES, is_minus};
-use super::words::{ASIDES, LEADS, TRAILS, WITHDRAWALS};
+use super::signs::{BULLETS, QUOTES, is_apostrophe, is_minus};
+use super::words::{ASIDES, LEADS, REASONS, SEALS, TRAILS, WITHDRAWALS};
 use vibank_formula::unit::Unit;
 use vibank_source::{Span, lower};
 
 /// Where the answer stands in what was typed.
 pub(crate) fn answer_in(typed: &str) -> Range<usize> {
+    /// More layers than anybody puts around an answer.
+    const MAX_LAYERS: usize = 24;
     let mut range = 0..typed.len();
-    loop {
+    for _ in 0..MAX_LAYERS {
         let own = trimmed(typed, &range);
         let text = &typed[own.clone()];
         let inner = lead(text)
+            .or_else(|| described(text))
+            .or_else(|| bullet(text))
             .or_else(|| definition(text))
             .or_else(|| number_of_item(text))
             .map(|length| own.start + length..own.end)
             .or_else(|| trail(text).map(|length| own.start..own.end - length))
             .or_else(|| quotes(text).map(|(open, close)| own.start + open..own.end - close))
+            .or_else(|| fence(text).map(|(open, close)| own.start + open..own.end - close))
             .or_else(|| program(text).map(|(open, close)| own.start + open..own.end - close))
             .or_else(|| bracketed(text).then(|| own.start + 1..own.end - 1));
         match inner {
@@ -27,6 +33,7 @@ pub(crate) fn answer_in(typed: &str) -> Range<usize> {
             None => return range,
         }
     }
+    range
 }
 
 /// What comes after the arrow with which a response begins, `=> 5 m`, where none asks for a bound.
@@ -85,32 +92,141 @@ pub(crate) fn behind_words<'t>(
     Some(rest)
 }
 
-/// The length of words before an answer, with the colon or the space after them.
+/// Marks of Markdown before a heading, and around words that are set apart.
+const MARKS: [char; 5] = ['*', '_', '#', '>', ' '];
+
+/// The length of words before an answer, with the colon or the space after them and the marks around them:
+/// `so x = 3`, `**Answer:** 5 m`, `\text{so } x = 3`.
 fn lead(text: &str) -> Option<usize> {
-    let first = text.chars().next()?;
-    if first.is_ascii_digit() || "-+.([{$<".contains(first) && !text.starts_with("->") {
+    let bare = text.trim_start_matches(MARKS);
+    let is_marked = bare.len() < text.len();
+    let first = bare.chars().next()?;
+    if first.is_ascii_digit() || "-+.([{$<".contains(first) && !bare.starts_with("->") {
         return None;
+    }
+    if let Some((words, behind)) = faced(bare) {
+        let words = words.trim().trim_end_matches([':', ',']).trim_end();
+        let is_lead = LEADS.iter().any(|lead| {
+            behind_words(words, lead, str::eq_ignore_ascii_case).is_some_and(str::is_empty)
+        });
+        return (is_lead && !behind.trim().is_empty()).then(|| text.len() - behind.len());
     }
     LEADS.iter().find_map(|lead| {
         // Most answers begin with another letter than any of these words.
-        let is_it = lead.as_bytes()[0].eq_ignore_ascii_case(&text.as_bytes()[0]);
+        let is_it = lead.as_bytes()[0].eq_ignore_ascii_case(&bare.as_bytes()[0]);
         let behind = is_it
-            .then(|| behind_words(text, lead, str::eq_ignore_ascii_case))
+            .then(|| behind_words(bare, lead, str::eq_ignore_ascii_case))
             .flatten()?;
-        // The French set a space before a colon; `Hence, x = 3` has a comma.
+        let without_marks = |behind: &'_ str| match is_marked {
+            true => behind.trim_start_matches(['*', '_']).len(),
+            false => behind.len(),
+        };
+        let behind = &behind[behind.len() - without_marks(behind)..];
+        // The French set a space before a colon; `Hence, x = 3` has a comma, and Chinese no space.
         let behind = match behind.trim_start_matches(' ').strip_prefix(':') {
-            Some(behind) => behind,
+            Some(behind) => &behind[behind.len() - without_marks(behind)..],
             None => {
-                let behind = behind.strip_prefix(',').unwrap_or(behind);
-                behind.starts_with(' ').then_some(behind)?
+                let behind = behind.strip_prefix([',', '，']).unwrap_or(behind);
+                let is_apart = behind.starts_with([' ', '\n']) || is_of_one_word_a_sign(lead);
+                is_apart.then_some(behind)?
             }
         };
         // `=> 3` is at least three where nothing else relates.
-        let relates =
-            || behind.contains(['=', '<', '>', '≤', '≥', '≈', '∈']) || behind.contains(" in ");
+        let relates = || {
+            behind.contains(['=', '<', '>', '≤', '≥', '≈', '∈'])
+                || [" in ", "\\le", "\\ge", "\\in", "\\approx"]
+                    .iter()
+                    .any(|sign| behind.contains(sign))
+        };
         let is_lead = !behind.trim().is_empty() && (*lead != "=>" || relates());
         is_lead.then(|| text.len() - behind.len())
     })
+}
+
+/// Whether a word is written in a script that sets no spaces.
+fn is_of_one_word_a_sign(word: &str) -> bool {
+    word.ends_with(|last: char| ('\u{4e00}'..='\u{9fff}').contains(&last))
+}
+
+/// The words in the command of LaTeX with which a text begins, and what comes after it.
+fn faced(text: &str) -> Option<(&str, &str)> {
+    const FACES: [&str; 4] = ["\\text{", "\\mathrm{", "\\textbf{", "\\mbox{"];
+    let inner = FACES.iter().find_map(|face| text.strip_prefix(face))?;
+    inner.split_once('}')
+}
+
+/// The length of words and a colon that say what follows, where that is a value or an equation:
+/// `Newton's second law: m x'' = -k x`, `mode shape: (1, 2)`.
+fn described(text: &str) -> Option<usize> {
+    /// Shorter words may be letters of a formula.
+    const MIN_LETTERS: usize = 4;
+    const MAX_WORDS: usize = 8;
+    let (words, behind) = text.split_once(':')?;
+    let is_word = |word: &str| {
+        let is_of_word = |char: char| char.is_alphabetic() || char == '-' || is_apostrophe(char);
+        word.chars().all(is_of_word) && greek_word(&lower(word)).is_none()
+    };
+    let is_long = |word: &str| word.chars().count() >= MIN_LETTERS;
+    let words: Vec<&str> = words.split_whitespace().collect();
+    let are_words = words.len() <= MAX_WORDS
+        && words.iter().all(|word| is_word(word))
+        && words.iter().any(|word| is_long(word));
+    let begins_value = |first: char| first.is_ascii_digit() || "([{.+$".contains(first);
+    let value = behind.trim_start();
+    let is_value = value.starts_with(|first| begins_value(first) || is_minus(first))
+        || value.contains('=')
+        || value.starts_with("\\begin");
+    (are_words && is_value && !behind.starts_with('=') && !behind.contains(':'))
+        .then(|| text.len() - value.len())
+}
+
+/// The length of the mark of a list, a quotation or a prompt before an answer: `* x = 3`, `> x = 3`, `- **x = 3**`,
+/// `>>> 3`, `Out[2]= 3`. A sign that could be a minus or compare stays.
+fn bullet(text: &str) -> Option<usize> {
+    let length = |behind: &str| {
+        let behind = behind.trim_start_matches(' ');
+        (!behind.is_empty()).then(|| text.len() - behind.len())
+    };
+    if let Some(behind) = BULLETS.iter().find_map(|mark| text.strip_prefix(mark)) {
+        return length(behind);
+    }
+    if let Some(behind) = text.strip_prefix("- ") {
+        let is_set_apart = ["**", "__", "$", "\\(", "`"]
+            .iter()
+            .any(|mark| behind.starts_with(mark));
+        return length(behind).filter(|_| is_set_apart);
+    }
+    if let Some(behind) = text.strip_prefix("> ") {
+        let begins = |first: char| first.is_alphabetic() || "\\$*".contains(first);
+        return length(behind).filter(|_| behind.starts_with(begins) && behind.contains('='));
+    }
+    if text.starts_with('#') {
+        let behind = text.trim_start_matches('#').strip_prefix(' ')?;
+        return length(behind);
+    }
+    // What programs print before a result.
+    let numbered = ["Out[", "In[", "(%o"]
+        .iter()
+        .find_map(|prompt| text.strip_prefix(prompt))?;
+    let behind = numbered.trim_start_matches(|char: char| char.is_ascii_digit());
+    let is_numbered = behind.len() < numbered.len();
+    let behind = ["]:=", "]=", "]//MatrixForm=", "]:", "] =", ")"]
+        .iter()
+        .find_map(|end| behind.strip_prefix(end))?;
+    length(behind).filter(|_| is_numbered)
+}
+
+/// The lengths of the fence around a block of code, with the language after its first mark.
+fn fence(text: &str) -> Option<(usize, usize)> {
+    const MARK: &str = "```";
+    let inner = text.strip_prefix(MARK)?.strip_suffix(MARK)?;
+    let is_language = |line: &str| line.chars().all(|char| char.is_ascii_alphabetic());
+    let own = match inner.split_once('\n') {
+        Some((line, own)) if is_language(line.trim()) => own,
+        _ => inner,
+    };
+    let is_whole = !own.trim().is_empty() && !own.contains(MARK);
+    is_whole.then(|| (text.len() - MARK.len() - own.len(), MARK.len()))
 }
 
 /// The length of a number or letter before an answer, as the parts of a sheet have: `1) 5 m`, `(a) x = 5 m`, `1. -5 m`.
@@ -185,8 +301,9 @@ fn labels(text: &str, open: &str, first: char, close: &str) -> Vec<Range<usize>>
         let place = if found.is_empty() {
             text[at..].starts_with(&label).then_some(at)
         } else {
-            let next = text[at..].find(&format!(" {label}"));
-            next.map(|place| at + place + 1)
+            let mut next = text[at..].match_indices(&label);
+            let next = next.find(|(place, _)| text[..at + place].ends_with([' ', '\n']));
+            next.map(|(place, _)| at + place)
         };
         let Some(place) = place else { break };
         at = place + label.len() - 1;
@@ -283,6 +400,18 @@ fn trail(text: &str) -> Option<usize> {
         let is_apart = before.ends_with([' ', ')', ']']) || words.starts_with(',');
         return is_apart.then(|| text.len() - before.len());
     }
+    if let Some(before) = SEALS.iter().find_map(|seal| ended.strip_suffix(seal)) {
+        return (!before.trim().is_empty()).then(|| text.len() - before.len());
+    }
+    // `…, where A and B are constants`
+    if ended.ends_with("constants")
+        && let Some((before, _)) = ended.split_once(" where ")
+    {
+        return (!before.trim().is_empty()).then(|| text.len() - before.len());
+    }
+    if let Some(at) = reason(text) {
+        return Some(text.len() - at);
+    }
     // A row of LaTeX that none follows.
     if text.ends_with("\\\\") {
         return Some(2);
@@ -290,22 +419,15 @@ fn trail(text: &str) -> Option<usize> {
     if let Some(length) = comment(text) {
         return Some(length);
     }
-    if let Some((before, aside)) = text
-        .strip_suffix(')')
-        .and_then(|text| text.rsplit_once(" ("))
-    {
-        let is_number = |word: &str| word.bytes().all(|byte| byte.is_ascii_digit());
-        let mut words = aside.split_whitespace();
-        let is_said = words.all(|word| is_number(word) || ASIDES.contains(&word));
-        // `12 (in)` has inches.
-        let says_nothing = |word: &str| is_number(word) || ["in", "to"].contains(&word);
-        let is_aside = is_said && !aside.split_whitespace().all(says_nothing);
-        return is_aside.then(|| text.len() - before.len());
+    if let Some(length) = aside(text).or_else(|| precision(text)) {
+        return Some(length);
+    }
+    if text.ends_with(">.") {
+        return Some(1);
     }
     if let Some(before) = text.strip_suffix('!') {
         // `3!` is a factorial. The French set a space before the mark.
-        let ends =
-            |last: char| last.is_alphabetic() || before.ends_with(' ') && ")]}°²³".contains(last);
+        let ends = |last: char| last.is_alphabetic() || before.ends_with(' ');
         return before.trim_end().ends_with(ends).then_some(1);
     }
     if let Some(before) = text.strip_suffix(';') {
@@ -314,6 +436,91 @@ fn trail(text: &str) -> Option<usize> {
     }
     let before = text.strip_suffix(',')?;
     before.ends_with(char::is_alphanumeric).then_some(1)
+}
+
+/// The length of a remark in brackets after an answer: `(3 s.f.)`, `(see above)`, and the `(1)` by which an equation is
+/// numbered, which is the same as a factor.
+fn aside(text: &str) -> Option<usize> {
+    /// A shorter word may be a letter of a formula, and a unit.
+    const MIN_LETTERS: usize = 4;
+    let pairs = [(')', " ("), (']', " [")];
+    let (before, aside) = pairs
+        .iter()
+        .find_map(|(close, open)| text.strip_suffix(*close)?.rsplit_once(open))?;
+    let length = || Some(text.len() - before.len());
+    if aside == "1" && before.contains('=') {
+        return length();
+    }
+    // `overdamped (ζ > 1)`
+    let is_of_words = |char: char| char.is_alphabetic() || " -".contains(char);
+    let is_named = before
+        .split(' ')
+        .any(|word| word.chars().count() > MIN_LETTERS)
+        && before.chars().all(is_of_words);
+    if is_named && aside.contains(['<', '>']) {
+        return length();
+    }
+    let is_number = |word: &str| word.bytes().all(|byte| byte.is_ascii_digit());
+    let is_said = |word: &str| {
+        let word = word.trim_end_matches([',', ';', ':']);
+        // `3sf`
+        let unit = word.trim_start_matches(|char: char| char.is_ascii_digit());
+        is_number(word) || ASIDES.contains(&word) || ASIDES.contains(&unit)
+    };
+    // `12 (in)` has inches.
+    let says_nothing = |word: &str| {
+        let word = word.trim_end_matches([',', ';', ':']);
+        is_number(word) || ["in", "to", "à"].contains(&word)
+    };
+    let mut words = aside.split_whitespace();
+    if words.clone().all(is_said) && !words.clone().all(says_nothing) {
+        return length();
+    }
+    let is_word = |word: &str| {
+        let word = word.trim_end_matches([',', ';', '.', '!', '?']);
+        let mut letters = word.chars();
+        !word.is_empty()
+            && letters.all(|char| char.is_alphabetic() || char == '-' || is_apostrophe(char))
+    };
+    let is_no_letter = |word: &str| {
+        word.chars().filter(|char| char.is_alphabetic()).count() >= MIN_LETTERS
+            && greek_word(&lower(word)).is_none()
+            && Unit::read(word).is_err()
+    };
+    // One word alone may name an option, `underdamped (aperiodic)`.
+    let are_words = words.clone().count() > 1
+        && words.clone().all(is_word)
+        && words.any(is_no_letter)
+        && Unit::read(aside).is_err();
+    if are_words { length() } else { None }
+}
+
+/// The length of what says to how many figures an answer is given: `to 3 s.f.`, `to 3 significant figures`.
+fn precision(text: &str) -> Option<usize> {
+    let (before, said) = text.rsplit_once(" to ")?;
+    let mut words = said.split_whitespace();
+    let is_number = words
+        .next()
+        .is_some_and(|first| first.parse::<u8>().is_ok());
+    let mut rest = words.peekable();
+    let is_said = rest.peek().is_some() && rest.all(|word| ASIDES.contains(&word));
+    (is_number && is_said).then(|| text.len() - before.len())
+}
+
+/// Where the reason begins that is given after an answer: `5 m, since k = 3 N/m`.
+fn reason(text: &str) -> Option<usize> {
+    text.match_indices(' ').find_map(|(at, _)| {
+        let rest = &text[at + 1..];
+        let is_reason = |word: &&&str| {
+            let behind = rest.strip_prefix(**word);
+            behind.is_some_and(|behind| behind.starts_with(' '))
+        };
+        let word = REASONS.iter().find(is_reason)?;
+        let before = text[..at].trim_end();
+        // Short words are letters elsewhere: `da` and `car` say why only after a comma.
+        let is_apart = before.ends_with(',') || word.len() > 4;
+        (is_apart && !before.trim_end_matches(',').is_empty()).then_some(at)
+    })
 }
 
 /// The length of a comment of a program, `# checked`, `// by Newton`. One that is a unit or says where it is measured is
@@ -336,6 +543,16 @@ fn comment(text: &str) -> Option<usize> {
 
 /// The lengths of the marks around an answer.
 fn quotes(text: &str) -> Option<(usize, usize)> {
+    // A star or two underscores that begin a text multiply nothing, whatever is multiplied between them.
+    for mark in ["*", "__"] {
+        let inner = text
+            .strip_prefix(mark)
+            .and_then(|text| text.strip_suffix(mark));
+        let inner = inner.filter(|_| !text.starts_with("**"));
+        if inner.is_some_and(|inner| !inner.trim().is_empty() && !inner.ends_with('^')) {
+            return Some((mark.len(), mark.len()));
+        }
+    }
     QUOTES.iter().find_map(|(open, close)| {
         let inner = text.strip_prefix(open)?.strip_suffix(close)?;
         let is_whole = !inner.trim().is_empty() && !inner.contains(open) && !inner.contains(close);
@@ -413,6 +630,47 @@ mod tests {
             ("{{x -> 2}}", "x -> 2"),
             ("x = t", "x = t"),
             ("t -> 2*t", "2*t"),
+            ("**Answer:** 5 m", "5 m"),
+            ("**Answer**: x = 5 m", "x = 5 m"),
+            ("**Final answer:** *5 m*", "5 m"),
+            ("### Answer\nx = 5 m", "x = 5 m"),
+            ("- **x = 5 m**", "x = 5 m"),
+            ("- x = 5 m", "- x = 5 m"),
+            ("- 5 m", "- 5 m"),
+            ("* 5 m", "5 m"),
+            ("> x = 5 m", "x = 5 m"),
+            ("> 5 m", "> 5 m"),
+            (">>> 5", "5"),
+            ("Out[12]= 5", "5"),
+            ("```\n5 m\n```", "5 m"),
+            ("```python\nsqrt(k)\n```", "sqrt(k)"),
+            ("__5 m__", "5 m"),
+            ("2*x*", "2*x*"),
+            ("\\text{so } x = 3", "x = 3"),
+            ("\\text{kg}", "\\text{kg}"),
+            ("Newton's second law: m x'' = -k x", "m x'' = -k x"),
+            ("mode shape: (1, 2)", "(1, 2)"),
+            ("above: x", "above: x"),
+            ("theta: 3", "theta: 3"),
+            ("so the answer is 5 m, since k = 3", "5 m"),
+            ("5 m because k = 3", "5 m"),
+            ("c as k", "c as k"),
+            ("5 m (see above)", "5 m"),
+            ("5 m (3sf)", "5 m"),
+            ("5 m [3 s.f.]", "5 m"),
+            ("5 m to 3 s.f.", "5 m"),
+            ("u = (1, 2), v = (3, 4)", "u = (1, 2), v = (3, 4)"),
+            ("5 (newton metre)", "5 (newton metre)"),
+            ("x (aperiodic)", "x (aperiodic)"),
+            ("x = 0 (1)", "x = 0"),
+            ("x = 0 (2)", "x = 0 (2)"),
+            ("5 m✔", "5 m"),
+            ("5 !", "5"),
+            ("5!", "5!"),
+            ("5?", "5?"),
+            ("la risposta è 5 m", "5 m"),
+            ("答:5 m", "5 m"),
+            ("所以 x = 5 m", "x = 5 m"),
             ("sons", "sons"),
             ("so", "so"),
         ] {

@@ -397,3 +397,17 @@ proptest! {
         let _ = chain(&text, 0, text.len(), &lexicon(), MANNER).map_err(|error| error.at(&text));
     }
 }
+
+/// A decimal sign that is wider in the text than in what the number is read from does not move what is pointed at.
+#[test]
+fn many_decimal_signs_are_refused() {
+    let typed = format!("{}1", "1{,}".repeat(300));
+    let text = folded(&typed);
+    let style = Style {
+        mark: vibank_formula::unit::DecimalMark::Point,
+        comma_is_decimal: true,
+        is_complex: false,
+    };
+    let values = Values::read(&text, style).unwrap();
+    assert!(values.amount(&values.all()).is_err());
+}

@@ -140,11 +140,13 @@ impl<'t> Values<'t> {
     /// Whether nothing stands where a part is empty, between two signs that part values: `5,, 8.7`. The end of a line
     /// and a word may follow a sign.
     pub fn is_gap(&self, part: &Part) -> bool {
-        let is_sign = |at: usize| {
-            let token = self.tokens.get(at);
-            token.is_some_and(|token| matches!(&self.text[token.span.range()], "," | ";"))
+        let sign = |at: usize| {
+            let token = self.tokens.get(at)?;
+            Some(&self.text[token.span.range()]).filter(|sign| matches!(*sign, "," | ";"))
         };
-        part.is_empty() && part.start > 0 && is_sign(part.start - 1) && is_sign(part.end)
+        // `5, ; 8.7` has one value behind the other, parted twice.
+        let is_same = |before: &str| sign(part.end) == Some(before);
+        part.is_empty() && part.start > 0 && sign(part.start - 1).is_some_and(is_same)
     }
 
     /// The values of a part between semicolons, commas, `and` and `or`; empty ones are kept.
@@ -422,31 +424,33 @@ impl<'t> Values<'t> {
         is_number && matches!(behind, Some(Item::Unread(_)))
     }
 
-    /// The unit that stands beside a name, `f (Hz)` and `φ in deg`; of one letter it may be an argument.
-    pub fn unit_of_name(&self, part: &Part) -> Option<Unit> {
-        let (unit, before) = match &self.tokens[part.clone()] {
-            [
-                ..,
-                open,
-                Token {
-                    item: Item::Unit(unit),
-                    span,
-                    ..
-                },
-                close,
-            ] if open.item == Item::Sign('(') && close.item == Item::Sign(')') => (unit, *span),
-            [
-                ..,
-                word,
-                Token {
-                    item: Item::Unit(unit),
-                    span,
-                    ..
-                },
-            ] if word.item == Item::Word("in") => (unit, *span),
-            _ => return None,
+    /// A name without the unit that stands beside it, and that unit: `f (Hz)`, `f [Hz]`, `f/Hz`, `φ in deg`; in
+    /// brackets one letter may be an argument, and after a slash a divisor.
+    pub fn unit_beside_name(&self, part: &Part) -> (Part, Option<Unit>) {
+        let tokens = &self.tokens[part.clone()];
+        let is = |token: &Token, sign: char| token.item == Item::Sign(sign);
+        let found = match tokens {
+            [.., slash, open, unit, close] if is(slash, '/') && is(open, '(') && is(close, ')') => {
+                Some((unit, 4))
+            }
+            [.., open, unit, close]
+                if is(open, '(') && is(close, ')') || is(open, '[') && is(close, ']') =>
+            {
+                Some((unit, 3))
+            }
+            [.., word, unit] if word.item == Item::Word("in") || is(word, '/') => Some((unit, 2)),
+            _ => None,
         };
-        (self.text[before.range()].chars().count() > 1).then_some(**unit)
+        let unit = found.and_then(|(token, length)| match &token.item {
+            Item::Unit(unit) if self.text[token.span.range()].chars().count() > 1 => {
+                Some((part.start..part.end - length, **unit))
+            }
+            _ => None,
+        });
+        match unit {
+            Some((name, unit)) if !name.is_empty() => (name, Some(unit)),
+            _ => (part.clone(), None),
+        }
     }
 
     /// The names that a part lists, `ω1, ω2`, alone or in brackets; nothing if it is something else. `ω1,2` has two.

@@ -62,6 +62,8 @@ pub(crate) enum Powered {
     Complex,
     /// `polar(modulus, angle)`.
     Polar,
+    /// `Rational(1, 2)`.
+    Quotient,
 }
 
 /// A word within a run of letters.
@@ -84,6 +86,11 @@ pub(crate) const ALIASES: &[(&str, Function)] = &[
     ("Arctan", Function::Atan),
     ("ArcTan", Function::Atan),
     ("ARCTAN", Function::Atan),
+    ("ARCSIN", Function::Asin),
+    ("ARCCOS", Function::Acos),
+    ("ATAN", Function::Atan),
+    ("ASIN", Function::Asin),
+    ("ACOS", Function::Acos),
     ("ArcSin", Function::Asin),
     ("ArcCos", Function::Acos),
     ("fabs", Function::Abs),
@@ -132,6 +139,13 @@ const POWERS: &[(&str, Powered)] = &[
     ("pow", Powered::Any),
     ("power", Powered::Any),
     ("Power", Powered::Any),
+    ("POWER", Powered::Any),
+    ("POTENZ", Powered::Any),
+    ("PUISSANCE", Powered::Any),
+    ("POTENCIA", Powered::Any),
+    ("POTENZA", Powered::Any),
+    ("Rational", Powered::Quotient),
+    ("Fraction", Powered::Quotient),
     ("cbrt", Powered::CubeRoot),
     ("root", Powered::Root),
     ("nroot", Powered::Root),

@@ -151,13 +151,16 @@ impl Chosen {
 
     /// The only option that is this formula, however it is written.
     fn of_formula(&self, typed: &str) -> Option<usize> {
+        /// No option has a formula this long.
+        const MAX_LENGTH: usize = 300;
+        let typed = Some(typed).filter(|typed| typed.len() <= MAX_LENGTH);
+        let typed = Formula::of(typed?)?;
         let formulas: Vec<Option<Formula>> = self
             .options
             .texts
             .iter()
             .map(|text| Formula::of(text))
             .collect();
-        let typed = Formula::of(typed)?;
         let is_it = |place: &usize| formulas[*place].as_ref().is_some_and(|own| own.is(&typed));
         only((0..formulas.len()).filter(is_it))
     }

@@ -56,7 +56,7 @@ impl Setup {
         };
         if measured.check(&self.meaning).is_err() {
             let place = &response[zero.span().range()];
-            return Err(Unreadable::at(place, Why::Formula(Trouble::Unit)));
+            return Err(Unreadable::at(place, Why::UnitOfZero));
         }
         Ok(Equation {
             left: other.clone(),

@@ -5,7 +5,7 @@ use crate::answer::{Declare, Role, Unreadable, Why};
 use crate::expr::{Expr, Kind, Name};
 use crate::math::{Math, symbol};
 use crate::response::{self, Lexicon, cut, is_dotted};
-use crate::source::Span;
+use crate::source::{Span, lower};
 
 /// The names that can stand before an equals sign.
 #[derive(Debug)]
@@ -104,6 +104,15 @@ impl Labels {
                 (is_first, rest) = (false, behind);
                 continue;
             }
+            // `The motion is x(t) = …` names it after words.
+            let left = match response::described(left) {
+                Some("") if is_first && !is_of_rate(left) => {
+                    rest = behind;
+                    continue;
+                }
+                Some(own) if is_first => own,
+                _ => left,
+            };
             match self.side(left) {
                 Ok(Side::Own) if is_first => {}
                 Ok(Side::Formula(form)) => forms.push(form),
@@ -170,6 +179,21 @@ pub(crate) fn is_fresh(text: &str, arguments: &[String]) -> bool {
         && !["v", "a"].contains(
             &name.trim_end_matches(|char: char| char.is_ascii_digit() || "_{}".contains(char)),
         )
+}
+
+/// Whether words describe a rate of what is asked.
+fn is_of_rate(words: &str) -> bool {
+    const RATES: [&str; 6] = [
+        "velocity",
+        "acceleration",
+        "speed",
+        "rate",
+        "vitesse",
+        "accélération",
+    ];
+    words
+        .split_whitespace()
+        .any(|word| RATES.contains(&lower(word).as_str()))
 }
 
 fn without_unit(text: &str) -> &str {

@@ -273,7 +273,16 @@ impl Numbers {
             marking,
         };
         let others = vec![candidate(other, mark(other))];
-        settle(self.doubt, Rule::None, candidate(items, first), others)
+        // Not so of another unit, as that of hertz after 2π.
+        let is_by_rule = |(own, other): (&TypedNumber, &TypedNumber)| {
+            own.others.is_empty() || own.is_by_rule && own.quantity.unit == other.quantity.unit
+        };
+        let rule = if items.iter().zip(other).all(is_by_rule) {
+            Rule::Stated
+        } else {
+            Rule::None
+        };
+        settle(self.doubt, rule, candidate(items, first), others)
     }
 
     /// A number as it is meant where this is asked: the one reading that has the dimension; radians for its unit, where

@@ -16,6 +16,8 @@ pub(crate) struct TypedNumber {
     pub(crate) arithmetic: Option<Expr>,
     /// What else may have been meant.
     pub(crate) others: Vec<Self>,
+    /// Whether the rules for products without signs say which is.
+    pub(crate) is_by_rule: bool,
 }
 
 impl TypedNumber {
@@ -33,7 +35,19 @@ impl TypedNumber {
             quantity: Quantity::new(value, amount.unit),
             arithmetic,
             others: others.collect(),
+            is_by_rule: amount.is_by_rule,
         })
+    }
+
+    /// The same in a unit that stands elsewhere.
+    fn with_unit(self, unit: Unit) -> Self {
+        let others = self.others.into_iter().map(|other| other.with_unit(unit));
+        Self {
+            quantity: Quantity::new(self.quantity.value, unit),
+            others: others.collect(),
+            arithmetic: self.arithmetic,
+            is_by_rule: self.is_by_rule,
+        }
     }
 
     /// Typeset; arithmetic with what it comes to.
@@ -75,6 +89,7 @@ impl TypedNumber {
             quantity: Quantity::new(self.quantity.value, unit),
             arithmetic: self.arithmetic.clone(),
             others: Vec::new(),
+            is_by_rule: false,
         })
     }
 
@@ -180,20 +195,18 @@ pub(crate) fn statement(values: &Values<'_>, part: &Part) -> Result<TypedNumber,
     let sides = statement.sides;
     let is_value = |side: &Part| values.has_number(side) && !values.is_name(side);
     let value = sides.iter().rposition(is_value).unwrap_or(sides.len() - 1);
-    let number = amount(values, &sides[value])?;
-    let is_named = values.is_name(&sides[0]);
+    let mut number = amount(values, &sides[value])?;
+    let (name, beside) = values.unit_beside_name(&sides[0]);
+    let is_named = values.is_name(&name);
     if number.quantity.unit.is_one()
         && is_named
-        && let Some(unit) = values.unit_of_name(&sides[0])
+        && let Some(unit) = beside
     {
-        return Err(Why::UnitBesideName {
-            value: short(values.text(&sides[value])),
-            unit: unit.text(),
-        }
-        .into());
+        number = number.with_unit(unit);
     }
     let others = sides.iter().enumerate();
-    for (at, side) in others.filter(|(at, side)| *at != value && !values.is_name(side)) {
+    let is_name = |at: usize, side: &Part| at == 0 && is_named || values.is_name(side);
+    for (at, side) in others.filter(|(at, side)| *at != value && !is_name(*at, side)) {
         let is_between = 0 < at && at < value && is_named;
         let step = values.amount_of_step(side).ok();
         match step.as_ref().and_then(TypedNumber::of) {

@@ -61,6 +61,13 @@ pub enum Slip {
     Unsatisfied,
     /// A solution whose constants cannot meet every initial state.
     NotGeneral,
+    /// A solution with fewer free constants than a general one has: a letter of the question is no constant.
+    TooFewConstants {
+        /// How many it has.
+        found: usize,
+        /// How many are needed.
+        needed: usize,
+    },
     /// A solution in which a constant is neither a factor nor a phase.
     NotFactors,
     /// An equation that follows from those of the system, but is not the one that is asked.

@@ -88,17 +88,10 @@ pub enum Why {
     PointOrProduct(String),
     /// `0.29 (2/7)`.
     BracketAfterNumber,
-    /// `60°30'`.
-    Minutes,
-    /// An inequality where one value is asked for.
+    /// An inequality where one value is asked.
     Inequality,
-    /// A unit beside the name, and the value.
-    UnitBesideName {
-        /// The number, as it was typed.
-        value: String,
-        /// The unit, which belongs after the number.
-        unit: String,
-    },
+    /// A zero in a unit that is not that of the other side of its equation.
+    UnitOfZero,
     /// Two sides that are not equal.
     UnequalSides(String, String),
     /// A side of which the value may be or not.

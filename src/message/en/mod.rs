@@ -202,6 +202,11 @@ fn slip(slip: &Slip) -> String {
                 None => format!("{are_right}."),
             };
         }
+        Slip::TooFewConstants { found, needed } => {
+            return format!(
+                "This satisfies the equations, but has {found} of the {needed} free constants of a general solution. A letter of the question counts as its datum."
+            );
+        }
         Slip::CountedComplex { right, of } => return format!("{right} of {of} are right."),
         Slip::PowerOfTen(Decades::Prefix) => {
             "The digits fit, the power of ten does not: check the prefixes."

@@ -84,11 +84,8 @@ fn why(why: &Why) -> String {
             "the point may be a decimal sign or stand for a product. Write a power of ten as in `{number}e3` or `{number}*10^3`."
         ),
         Why::BracketAfterNumber => "it is not clear whether this is a factor or another value. Type one number; a product needs its sign, `*`.".to_owned(),
-        Why::Minutes => "type an angle with decimals of a degree, `60.5°` for 60° 30′.".to_owned(),
         Why::Inequality => "one value is asked for.".to_owned(),
-        Why::UnitBesideName { value, unit } => {
-            format!("the unit comes after the number: `{value} {unit}`.")
-        }
+        Why::UnitOfZero => "the other side of the equation has another unit. Omit that of the zero, and check the terms.".to_owned(),
         Why::UnequalSides(one, other) => {
             format!("`{one}` and `{other}` are not equal: give one value.")
         }

@@ -215,6 +215,11 @@ fn slip(slip: &Slip) -> String {
                 None => format!("{are_right}."),
             };
         }
+        Slip::TooFewConstants { found, needed } => {
+            return format!(
+                "Ceci vérifie les équations, mais a {found} des {needed} constantes libres d’une solution générale. Une lettre de l’énoncé compte comme une donnée."
+            );
+        }
         Slip::CountedComplex { right, of } => {
             return format!("{}.", right_of(*right, *of, "valeurs"));
         }

@@ -80,11 +80,8 @@ fn why(why: &Why) -> String {
             "le point peut être décimal ou tenir lieu de produit. Écrivez une puissance de dix comme dans `{number}e3` ou `{number}*10^3`."
         ),
         Why::BracketAfterNumber => "on ne sait pas s’il s’agit d’un facteur ou d’une autre valeur. Écrivez un seul nombre ; un produit demande son signe, `*`.".to_owned(),
-        Why::Minutes => "écrivez l’angle en degrés décimaux, `60,5°` pour 60° 30′.".to_owned(),
         Why::Inequality => "une seule valeur est demandée.".to_owned(),
-        Why::UnitBesideName { value, unit } => {
-            format!("l’unité se place après le nombre : `{value} {unit}`.")
-        }
+        Why::UnitOfZero => "l’autre membre de l’équation a une autre unité. Supprimez celle du zéro et vérifiez les termes.".to_owned(),
         Why::UnequalSides(one, other) => {
             format!("`{one}` et `{other}` ne sont pas égaux : donnez une seule valeur.")
         }

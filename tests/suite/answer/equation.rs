@@ -332,6 +332,7 @@ fn what_is_no_equation_is_handed_back() {
             ("m x''[t] + c x'[t] + k x[t] == 0", "right"),
             ("2 m x'' + 2 c x' + 2 k x = 0", "right"),
             ("m x'' + c x' + k x = 0 (1)", "right"),
+            ("m x'' + c x' = -k x (1)", "right"),
             ("2*(m x'' + c x' + k x) = 0", "right"),
             ("(2)(m x'' + c x' + k x) = 0", "right"),
             ("(1) m x'' + c x' + k x = 0", "right"),
@@ -347,7 +348,7 @@ fn what_is_no_equation_is_handed_back() {
                 "unreadable: number of the equation",
             ),
             (
-                "m x'' + c x' = -k x (1)",
+                "m x'' + c x' = -k x (2)",
                 "unreadable: number of the equation",
             ),
             (

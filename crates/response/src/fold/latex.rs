@@ -2,8 +2,11 @@
 
 use super::Folder;
 use crate::letters::greek_word;
-use crate::signs::{CASES, COMMANDS, DISPLAYS, FACES, UNITS, WRAPPERS, escaped, is_minus};
+use crate::signs::{
+    CASES, COMMANDS, DISPLAYS, FACES, NUMBERED, UNITS, WRAPPERS, escaped, is_minus,
+};
 use crate::words::JOINING;
+use vibank_dynamics::numerics::sort_by;
 
 /// How the rows of an environment are read.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -53,6 +56,9 @@ impl Folder<'_> {
     /// `{a \over b}`, the fraction of plain TeX, as `{(a)/(b)}`; whether one of its signs stands here.
     pub(crate) fn fraction(&mut self, sign: char) -> bool {
         const OVER: &str = "\\over";
+        if !self.has_over {
+            return false;
+        }
         match sign {
             '{' => {
                 let parts = parts_of_group(&self.typed[self.at + 1..], OVER);
@@ -159,29 +165,39 @@ impl Folder<'_> {
         let option = self.typed[self.at + length..].strip_prefix('[');
         let option = option.and_then(|option| Some(option.find(']')? + 2));
         if let Some((_, count)) = WRAPPERS.iter().find(|(own, _)| *own == name)
-            && let Some(braces) =
-                arguments(self.typed, self.at + length + option.unwrap_or(0), *count)
+            && let Some(braces) = self.arguments(self.at + length + option.unwrap_or(0), *count)
         {
             let length = length + option.unwrap_or(0);
             self.blanked.extend(braces);
             return self.write("", length);
         }
         if FACES.contains(&name)
-            && let Some(braces) = arguments(self.typed, self.at + length, 1)
+            && let Some(braces) = self.arguments(self.at + length, 1)
             && is_unlettered(&self.typed[braces[0] + 1..braces[1]])
         {
             self.blanked.extend(braces);
             return self.write(" ", length);
         }
+        // A line under a whole answer, or under one side of it; under a letter it makes a vector of it.
+        if name == "underline"
+            && let Some(braces) = self.arguments(self.at + length, 1)
+            && is_whole(&self.typed[braces[0] + 1..braces[1]])
+        {
+            self.blanked.extend(braces);
+            return self.write(" ", length);
+        }
+        if matches!(name, "dv" | "pdv" | "derivative") && self.quotient(length) {
+            return;
+        }
         if name == "angle"
             && self.typed[self.at + length..].starts_with('{')
-            && let Some(braces) = arguments(self.typed, self.at + length, 1)
+            && let Some(braces) = self.arguments(self.at + length, 1)
         {
             self.blanked.extend(braces);
             return self.write("∠", length);
         }
-        if name == "hspace"
-            && let Some(braces) = arguments(self.typed, self.at + length, 1)
+        if NUMBERED.contains(&name)
+            && let Some(braces) = self.arguments(self.at + length, 1)
         {
             return self.write(" ", braces[1] + 1 - self.at);
         }
@@ -195,7 +211,7 @@ impl Folder<'_> {
             return self.write(unit, length);
         }
         if matches!(name, "text" | "mathrm" | "mbox" | "operatorname")
-            && let Some(braces) = arguments(self.typed, self.at + length, 1)
+            && let Some(braces) = self.arguments(self.at + length, 1)
             && JOINING.contains(&self.typed[braces[0] + 1..braces[1]].trim())
             // `\omega_\mathrm{in}` has an index.
             && !self.text.trim_end().ends_with(['_', '{'])
@@ -216,10 +232,54 @@ impl Folder<'_> {
 /// Whether what is set in another face is a number, perhaps with its unit, or nothing.
 fn is_unlettered(text: &str) -> bool {
     let text = text.trim_matches([' ', '~']);
+    // A line under a line.
+    let text = text.strip_prefix("\\underline{").unwrap_or(text);
     text.is_empty()
         || text.starts_with(|char: char| {
             char.is_ascii_digit() || "+.".contains(char) || is_minus(char)
         })
+}
+
+impl Folder<'_> {
+    /// `\dv[2]{x}{t}`, the derivative of the package physics, as a quotient; whether one stands here.
+    fn quotient(&mut self, length: usize) -> bool {
+        let typed = self.typed;
+        let rest = &typed[self.at + length..];
+        let order = rest.strip_prefix('[').and_then(|rest| rest.split_once(']'));
+        let order = order.map(|(order, _)| order);
+        let option = order.map_or(0, |order| order.len() + 2);
+        let Some(braces) = self.arguments(self.at + length + option, 2) else {
+            return false;
+        };
+        let (of, by) = (
+            &typed[braces[0] + 1..braces[1]],
+            &typed[braces[2] + 1..braces[3]],
+        );
+        let is_name = |text: &str| {
+            text.chars()
+                .all(|char| char.is_alphanumeric() || "\\_{}".contains(char))
+        };
+        if !is_name(of) || !is_name(by) {
+            return false;
+        }
+        let power = order.map_or(String::new(), |order| format!("^{{{order}}}"));
+        let quotient = format!("\\frac{{d{power} {of}}}{{d{by}{power}}}");
+        self.write(&quotient, braces[3] + 1 - self.at);
+        true
+    }
+}
+
+/// Whether more than a letter is underlined: a statement, or a formula.
+fn is_whole(text: &str) -> bool {
+    let inner = text
+        .trim()
+        .strip_prefix("\\underline{")
+        .and_then(|text| text.strip_suffix('}'));
+    let text = inner.unwrap_or(text);
+    text.contains(['=', '≈', '+', '-', '/', '^', '*', '(', '&'])
+        || text.contains("\\frac")
+        || text.contains("\\sqrt")
+        || text.contains("\\cdot")
 }
 
 /// Where a command parts the group that stands open before a text, and where that closes; `None` where it stands not
@@ -245,26 +305,35 @@ fn parts_of_group(inner: &str, command: &str) -> Option<(usize, usize)> {
     None
 }
 
-/// The places of the braces around the next `count` arguments.
-fn arguments(text: &str, from: usize, count: usize) -> Option<Vec<usize>> {
-    let (mut braces, mut at) = (Vec::new(), from);
-    for _ in 0..count {
-        let rest = text.get(at..)?;
-        let open = at + rest.len() - rest.trim_start().len();
-        let mut depth = 0_usize;
-        let close = text.get(open..)?.char_indices().find_map(|(place, char)| {
-            match char {
-                '{' => depth += 1,
-                '}' => depth = depth.checked_sub(1)?,
-                _ => {}
-            }
-            (depth == 0).then_some(open + place)
-        })?;
-        if close == open {
-            return None;
+/// Where each brace of a text opens, and where its partner closes; ascending.
+fn partners(text: &str) -> Vec<(usize, usize)> {
+    let (mut open, mut found) = (Vec::new(), Vec::new());
+    for (at, byte) in text.bytes().enumerate() {
+        match byte {
+            b'{' => open.push(at),
+            b'}' => found.extend(open.pop().map(|start| (start, at))),
+            _ => {}
         }
-        braces.extend([open, close]);
-        at = close + 1;
     }
-    Some(braces)
+    sort_by(&mut found, Ord::cmp);
+    found
+}
+
+impl Folder<'_> {
+    /// The places of the braces around the next `count` arguments.
+    fn arguments(&self, from: usize, count: usize) -> Option<Vec<usize>> {
+        let partners = self.partners.get_or_init(|| partners(self.typed));
+        let (mut braces, mut at) = (Vec::new(), from);
+        for _ in 0..count {
+            let rest = self.typed.get(at..)?;
+            let open = at + rest.len() - rest.trim_start().len();
+            let place = partners
+                .binary_search_by_key(&open, |(open, _)| *open)
+                .ok()?;
+            let close = partners[place].1;
+            braces.extend([open, close]);
+            at = close + 1;
+        }
+        Some(braces)
+    }
 }

@@ -118,6 +118,31 @@ impl Folder<'_> {
         true
     }
 
+    /// `Subscript[m, b]`, as Mathematica writes indices, as `m_b`; whether one stands here.
+    pub(crate) fn subscript(&mut self) -> bool {
+        const NAME: &str = "Subscript[";
+        let typed = self.typed;
+        let Some((inner, _)) = typed[self.at..]
+            .strip_prefix(NAME)
+            .and_then(|inner| inner.split_once(']'))
+        else {
+            return false;
+        };
+        let Some((letter, index)) = inner.split_once(',') else {
+            return false;
+        };
+        let (letter, index) = (letter.trim(), index.trim());
+        let is_name = |text: &str| !text.is_empty() && text.chars().all(char::is_alphanumeric);
+        let is_subscript = is_name(letter) && is_name(index);
+        if is_subscript {
+            self.write(
+                &format!("{letter}_{{{index}}}"),
+                NAME.len() + inner.len() + 1,
+            );
+        }
+        is_subscript
+    }
+
     /// `\[Omega]`, `\[CapitalOmega]`, as Mathematica writes Greek letters; whether one stands here.
     pub(crate) fn escaped_greek(&mut self) -> bool {
         let Some((name, _)) = self.rest()[2..].split_once(']') else {

@@ -37,6 +37,8 @@ impl Values<'_> {
         let whole = whole?;
         let mut amount = self.checked(&whole.value, part)?;
         let others = whole.others.iter();
+        // `arctan(1,0)` may have one argument or two: no rule for products says which.
+        amount.is_by_rule = !self.has_tight_comma(part);
         amount
             .others
             .extend(others.filter_map(|other| self.checked(other, part).ok()));

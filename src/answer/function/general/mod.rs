@@ -509,7 +509,12 @@ impl Marker for Prepared {
             .rank(&solutions)
             .is_none_or(|rank| rank < needed * solutions.len())
         {
-            return wrong(reading, Slip::NotGeneral);
+            let slip = if found < needed {
+                Slip::TooFewConstants { found, needed }
+            } else {
+                Slip::NotGeneral
+            };
+            return wrong(reading, slip);
         }
         if !solutions
             .iter()
