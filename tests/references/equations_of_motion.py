@@ -62,7 +62,7 @@ MISSED = [
     ("ch5/e1-elastic-coupling", "m1 x1'' + α1 x1' + k1 x1 - kc x2 = 0", "stiffness term (in x1) misses"),
     ("ch5/p3-three-mass-chain-double-spring", "m2 x2'' - k2 x1 + k2 x2 - 2 k3 x3 = 0", "stiffness term (in x2) misses k3"),
     ("ch5/t5-double-pendulum", "m1 l1^2 theta1'' + m2 l1 l2 theta2'' + (m1+m2) g l1 theta1 = 0", "inertia term (in θ1″) misses m2"),
-    ("ch2/e5-compound-pendulum", "I θ'' + m g d sin θ = 0", "has still to be linearized"),
+    ("ch2/e5-compound-pendulum", "I θ'' + m g d sin θ = 0", "still has to be linearized"),
 ]
 PARTS = {item: part for item, part, _, _ in SYSTEMS}
 

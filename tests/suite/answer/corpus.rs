@@ -197,7 +197,7 @@ fn units_count_by_dimension() {
             ("5 m", "wrong power-of-ten"),
             (
                 "5 J",
-                "wrong dimension: `J` measures an energy. What is asked is a length, in mm.",
+                "wrong dimension: `J` measures an energy. The answer is a length, in mm.",
             ),
         ],
     );

@@ -265,7 +265,7 @@ fn linearization_is_told() {
             ("θ'' + g/l θ = 0", "right"),
             (
                 "θ'' + g/l sin θ = 0",
-                "wrong other: has still to be linearized",
+                "wrong other: still has to be linearized",
             ),
             // What is wrong besides comes first.
             (
@@ -353,7 +353,7 @@ fn what_is_no_equation_is_handed_back() {
             ),
             (
                 "m x'' + c x' + k x = 0; x(0) = 0; x'(0) = 0",
-                "unreadable: the state at the start",
+                "unreadable: the initial state",
             ),
             (
                 "m x'' + c x' + k x = 0, c > 0",

@@ -82,6 +82,30 @@ fn the_other_form_has_its_share_where_no_other_part_pays_for_it() {
     }
 }
 
+/// `l` and `g` are a litre and a gram as well.
+#[test]
+fn letters_that_are_units_are_a_formula_where_that_is_right() {
+    let verdict = |item: &str, response: &str| {
+        let template = BANK.find(item).expect("the item");
+        let place = template.parts.iter().position(|part| part.has_id("T0"));
+        let place = place.expect("the part");
+        let solution = Solution::of(Instance::of_source(template));
+        let grade = Grade::mark(&solution, [(place, response)]);
+        grade.part(place).expect("it was marked").verdict
+    };
+    let pendulum = "ch2/e4-simple-pendulum";
+    for response in ["2*pi*sqrt(l/g)", "T0 = 2 pi sqrt(l/g)", "2π√(ℓ/g)"] {
+        assert_eq!(verdict(pendulum, response), Verdict::Partial, "{response}");
+    }
+    for response in ["1/(2pi) sqrt(g/l)", "5 kg", "2*pi*sqrt(2 l/g)"] {
+        assert_eq!(verdict(pendulum, response), Verdict::Wrong, "{response}");
+    }
+    assert_eq!(
+        verdict("ch2/e7-lc-circuit", "2*pi*sqrt(L*C)"),
+        Verdict::Partial
+    );
+}
+
 #[test]
 fn a_statement_in_both_forms_counts_by_the_one_that_is_asked() {
     use Verdict::{Right, Wrong};
