@@ -42,6 +42,11 @@ pub(crate) fn otherwise(
     }
     let marking = other.mark(text);
     let reading = marking.reading.clone().filter(|_| is_right(&marking))?;
+    // A zero is right in letters whatever unit it has.
+    let formula = || reading.answered.formula();
+    if is_misfit && formula().is_none_or(|formula| formula.names().free.is_empty()) {
+        return None;
+    }
     match share(solution, place, sheet).filter(|credit| *credit > Credit::NONE) {
         Some(credit) => {
             let note = Remark::from(Note::OtherForm);

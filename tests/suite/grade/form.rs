@@ -85,9 +85,9 @@ fn the_other_form_has_its_share_where_no_other_part_pays_for_it() {
 /// `l` and `g` are a litre and a gram as well.
 #[test]
 fn letters_that_are_units_are_a_formula_where_that_is_right() {
-    let verdict = |item: &str, response: &str| {
+    let verdict = |item: &str, id: &str, response: &str| {
         let template = BANK.find(item).expect("the item");
-        let place = template.parts.iter().position(|part| part.has_id("T0"));
+        let place = template.parts.iter().position(|part| part.has_id(id));
         let place = place.expect("the part");
         let solution = Solution::of(Instance::of_source(template));
         let grade = Grade::mark(&solution, [(place, response)]);
@@ -95,14 +95,27 @@ fn letters_that_are_units_are_a_formula_where_that_is_right() {
     };
     let pendulum = "ch2/e4-simple-pendulum";
     for response in ["2*pi*sqrt(l/g)", "T0 = 2 pi sqrt(l/g)", "2π√(ℓ/g)"] {
-        assert_eq!(verdict(pendulum, response), Verdict::Partial, "{response}");
+        assert_eq!(
+            verdict(pendulum, "T0", response),
+            Verdict::Partial,
+            "{response}"
+        );
     }
     for response in ["1/(2pi) sqrt(g/l)", "5 kg", "2*pi*sqrt(2 l/g)"] {
-        assert_eq!(verdict(pendulum, response), Verdict::Wrong, "{response}");
+        assert_eq!(
+            verdict(pendulum, "T0", response),
+            Verdict::Wrong,
+            "{response}"
+        );
     }
     assert_eq!(
-        verdict("ch2/e7-lc-circuit", "2*pi*sqrt(L*C)"),
+        verdict("ch2/e7-lc-circuit", "T0", "2*pi*sqrt(L*C)"),
         Verdict::Partial
+    );
+    // A zero of another dimension has no letters.
+    assert_eq!(
+        verdict("ch5/t7-ring-of-three", "omega1", "0 kg"),
+        Verdict::Wrong
     );
 }
 
