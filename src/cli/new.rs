@@ -95,7 +95,7 @@ fn is_begun(path: &Path) -> bool {
         };
         BANK.iter().any(|(of, text)| {
             is_draft(of)
-                || *of == name && std::fs::read(entry).is_ok_and(|held| held == text.as_bytes())
+                || *of == name && files::read_bytes(entry).is_ok_and(|held| held == text.as_bytes())
         })
     };
     let is_folder = |path: &Path| path.symlink_metadata().is_ok_and(|found| found.is_dir());

@@ -49,6 +49,7 @@ pub enum Absence {
 }
 
 impl Absence {
+    #[expect(clippy::trivially_copy_pass_by_ref, reason = "serde asks so")]
     fn is_usual(&self) -> bool {
         *self == Self::LeftOut
     }

@@ -585,6 +585,29 @@ impl Folder<'_> {
             })
     }
 
+    /// Dots of derivatives that stand apart from their letter; whether some do here.
+    fn apart_dots(&mut self, char: char) -> bool {
+        // Copied from a page, dots stand before their letter: `m ¨x`.
+        if let Some(length) = self.dots_before() {
+            let (dots, letter) = self.rest()[..length].split_at('¨'.len_utf8());
+            let dots = if dots == "¨" { "\u{308}" } else { "\u{307}" };
+            let letter = format!(" {}{dots}", unstyled(letter.chars().next().unwrap_or(' ')));
+            self.write(&letter, length);
+            return true;
+        }
+        // A dot belongs to the letter before it, whatever stands between.
+        let behind = self.rest().strip_prefix(' ');
+        let mut signs = behind.unwrap_or_default().chars();
+        let is_dot = signs
+            .next()
+            .is_some_and(|sign| "\u{307}\u{308}¨˙".contains(sign));
+        let belongs_before = is_dot && !signs.next().is_some_and(char::is_alphabetic);
+        if belongs_before {
+            self.write("", char.len_utf8());
+        }
+        belongs_before
+    }
+
     fn piece(&mut self) {
         let Some(char) = self.rest().chars().next() else {
             return;
@@ -640,22 +663,8 @@ impl Folder<'_> {
         if char == '~' && self.is_nearly() {
             return self.write("≈", 1);
         }
-        // Copied from a page, dots stand before their letter: `m ¨x`.
-        if let Some(length) = self.dots_before() {
-            let (dots, letter) = self.rest()[..length].split_at('¨'.len_utf8());
-            let dots = if dots == "¨" { "\u{308}" } else { "\u{307}" };
-            let letter = format!(" {}{dots}", unstyled(letter.chars().next().unwrap_or(' ')));
-            return self.write(&letter, length);
-        }
-        // A dot belongs to the letter before it, whatever stands between.
-        if char == ' '
-            && self.rest()[1..].starts_with(['\u{307}', '\u{308}', '¨', '˙'])
-            && !self.rest()[1..]
-                .chars()
-                .nth(1)
-                .is_some_and(char::is_alphabetic)
-        {
-            return self.write("", width);
+        if self.apart_dots(char) {
+            return;
         }
         if char.is_ascii_alphabetic() && (self.equation() || self.matrix() || self.subscript()) {
             return;

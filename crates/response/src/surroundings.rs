@@ -117,9 +117,9 @@ fn lead(text: &str) -> Option<usize> {
         let behind = is_it
             .then(|| behind_words(bare, lead, str::eq_ignore_ascii_case))
             .flatten()?;
-        let without_marks = |behind: &'_ str| match is_marked {
-            true => behind.trim_start_matches(['*', '_']).len(),
-            false => behind.len(),
+        let without_marks = |behind: &'_ str| {
+            let marks: &[char] = if is_marked { &['*', '_'] } else { &[] };
+            behind.trim_start_matches(marks).len()
         };
         let behind = &behind[behind.len() - without_marks(behind)..];
         // The French set a space before a colon; `Hence, x = 3` has a comma, and Chinese no space.
@@ -565,6 +565,7 @@ mod tests {
     use super::{answer_in, enumeration, withdrawn};
 
     #[test]
+    #[expect(clippy::too_many_lines, reason = "a table")]
     fn what_is_said_around_an_answer_is_no_part_of_it() {
         for (typed, answer) in [
             ("so ω = 5 rad/s", "ω = 5 rad/s"),

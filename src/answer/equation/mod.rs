@@ -235,9 +235,10 @@ impl Answer for Equations {
             let centres = context.sampling.centres(&setup.meaning, &signs);
             Choices::around(setup, &key, centres)
         };
-        let choices = match context.standing.is_empty() {
-            true => setup.choices.get(&signs, around),
-            false => Arc::new(around()),
+        let choices = if context.standing.is_empty() {
+            setup.choices.get(&signs, around)
+        } else {
+            Arc::new(around())
         };
         let mut mistakes = Vec::new();
         for mistaken in &context.mistakes {

@@ -189,9 +189,10 @@ impl Answer for Formula {
         })?;
         let signs = Signs::of(&setup.meaning.values(&context.evaluation));
         let around = || Points::around(&setup.meaning, &context.sampling, &signs, &[&key]);
-        let points = match context.standing.is_empty() {
-            true => setup.points.get(&signs, around),
-            false => Arc::new(around()),
+        let points = if context.standing.is_empty() {
+            setup.points.get(&signs, around)
+        } else {
+            Arc::new(around())
         };
         let mistakes = context.mistakes.iter().filter_map(|mistaken| {
             let compile = || match mistaken.given.first() {

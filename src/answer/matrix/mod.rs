@@ -278,9 +278,10 @@ impl Answer for Matrix {
             let signs = Signs::of(&setup.meaning.values(evaluation));
             let keys: Vec<&Comparable> = formulas.iter().collect();
             let around = || Points::around(&setup.meaning, &context.sampling, &signs, &keys);
-            let points = match context.standing.is_empty() {
-                true => setup.points.get(&signs, around),
-                false => Arc::new(around()),
+            let points = if context.standing.is_empty() {
+                setup.points.get(&signs, around)
+            } else {
+                Arc::new(around())
             };
             (formulas, points)
         });

@@ -171,13 +171,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<super::Outcome, Failure> {
     let input = input(arguments, file.as_deref(), &sheets, &catalogue.digest())?;
     let changes = changes(arguments, &out)?;
     let dialect = Dialect::new(sheets.head.csv, sheets.head.decimal);
-    let wants_book = sheets.head.formats.iter().any(|format| format == XLSX);
-    if wants_book && !workbook::IS_BUILT_IN {
-        eprintln!(
-            "`marks.xlsx` is not written, since this program was built without the feature `xlsx`; `marks.csv` has the same marks"
-        );
-    }
-    let has_book = wants_book && workbook::IS_BUILT_IN;
+    let has_book = has_book(&sheets.head.formats);
     let journal = Journal::open(&out, shard, &input)?;
     let parts = shard.is_whole().then(|| Parts::in_folder(&out, &input));
     let share = handed.share(shard, &census.sheets);
@@ -235,6 +229,17 @@ pub(crate) fn run(arguments: &Arguments) -> Result<super::Outcome, Failure> {
     faults.extend(unclaimed.map(|error| saved::said(&error, &names)));
     faults.extend(job.decisions.doubts());
     job.finish(&faults, &census.changed)
+}
+
+/// Whether the marks are written as a workbook, too.
+fn has_book(formats: &[String]) -> bool {
+    let is_wanted = formats.iter().any(|format| format == XLSX);
+    if is_wanted && !workbook::IS_BUILT_IN {
+        eprintln!(
+            "`marks.xlsx` is not written, since this program was built without the feature `xlsx`; `marks.csv` has the same marks"
+        );
+    }
+    is_wanted && workbook::IS_BUILT_IN
 }
 
 /// What the marks are compared with: those of an earlier run, or those that the folder holds.

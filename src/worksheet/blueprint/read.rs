@@ -158,13 +158,7 @@ pub(crate) fn blueprint<'s>(
 ) -> (Option<Blueprint>, Faults<'s>) {
     let keys = keys(&table, &mut faults);
     let questions = questions(&table, &mut faults);
-    let title = table.required_text("title");
-    if let Some(title) = &title {
-        let letters = title.value.chars().count();
-        let of = "letters in the title";
-        faults.at_most(MAX_TITLE_LENGTH, letters, of, Some(title.span));
-    }
-    let title = title.map(|text| text.value);
+    let title = title(&table, &mut faults);
     let [course, date, duration] = [
         ("course", "letters in the course"),
         ("date", "letters in the date"),
@@ -261,6 +255,14 @@ pub(crate) fn blueprint<'s>(
     };
     table.finish();
     (is_whole.then_some(read), faults)
+}
+
+fn title(table: &Table<'_>, faults: &mut Faults<'_>) -> Option<String> {
+    let title = table.required_text("title")?;
+    let letters = title.value.chars().count();
+    let of = "letters in the title";
+    faults.at_most(MAX_TITLE_LENGTH, letters, of, Some(title.span));
+    Some(title.value)
 }
 
 /// A line that is printed on each page of each sheet, and so has no more letters than a title.

@@ -23,12 +23,12 @@ pub(crate) fn corrected(
         let (mut keys, mut place) = (Vec::new(), "");
         for ((item, part), rules) in &decisions.rules {
             let all = rules.iter().map(|(_, number)| &decisions.all[*number]);
-            let last = all.filter_map(|decision| match &decision.effect {
+            let last = all.rev().find_map(|decision| match &decision.effect {
                 Effect::Key(key) => Some((decision, key)),
                 _ => None,
             });
             // The item is read again with all of them: one after the other would forget those before.
-            if let Some((decision, key)) = last.last().filter(|_| own.0.as_str() == item) {
+            if let Some((decision, key)) = last.filter(|_| own.0.as_str() == item) {
                 keys.push((part.as_str(), key));
                 place = &decision.place;
                 check(own, &keys[keys.len() - 1..], place, items)?;
