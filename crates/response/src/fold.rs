@@ -2,8 +2,11 @@
 
 mod alphabets;
 mod latex;
+mod marks;
+mod minutes;
 mod programs;
 mod spaces;
+mod steps;
 
 use std::borrow::Cow;
 use std::cell::OnceCell;
@@ -12,7 +15,7 @@ use self::alphabets::unstyled;
 use self::latex::Environment;
 use self::programs::holds_list;
 use self::spaces::OneWidth;
-use super::signs::{ANGLES, BULLETS, Plain, RUNS, TURNS, begins_run, is_minus, of_char};
+use super::signs::{Plain, RUNS, TURNS, begins_run, is_minus, of_char};
 use super::surroundings::{answer_in, behind_words, enumeration};
 use super::words::{EQUATIONS, LISTS, NUMBERS, PERCENT, ROOTS, VERBS, WORDS};
 use vibank_formula::unit::Unit;
@@ -257,89 +260,6 @@ fn is_called(before: &str) -> bool {
         .any(|names| names.iter().any(|name| before.ends_with(name)))
 }
 
-/// Signs after which a value begins, and no factor of what stands before them.
-const BEFORE_A_VALUE: [char; 11] = ['=', '≈', ':', ';', ',', '\n', '<', '>', '≤', '≥', '('];
-
-/// Arrows from a step of a derivation to the next, and from an equation to one that says the same.
-const ARROWS: [&str; 17] = [
-    "⇒",
-    "⟹",
-    "⇔",
-    "⟺",
-    "∴",
-    "=>",
-    "->",
-    "→",
-    "⟶",
-    "\\Rightarrow",
-    "\\implies",
-    "\\Longrightarrow",
-    "\\Leftrightarrow",
-    "\\iff",
-    "\\therefore",
-    "\\rightarrow",
-    "\\to",
-];
-/// Those of them that are also signs of a bound, a rule or a limit, and lead from an equation to another alone.
-const AMBIGUOUS_ARROWS: [&str; 6] = ["=>", "->", "→", "⟶", "\\rightarrow", "\\to"];
-
-/// What may stand with an arrow before the first step of a line.
-const ARROWS_AND_SPACES: [char; 9] = [' ', '\n', '⇒', '⟹', '⇔', '⟺', '∴', '→', '⟶'];
-
-/// Where the last step begins in a line that has some, after its arrow.
-fn end_of_steps(line: &str) -> Option<usize> {
-    let may_lead = |byte: u8| byte == b'>' || byte == b'\\' || !byte.is_ascii();
-    if !line.bytes().any(may_lead) {
-        return None;
-    }
-    let found = ARROWS
-        .iter()
-        .filter_map(|arrow| Some((line.rfind(arrow)?, *arrow)));
-    let (at, arrow) = found.max_by_key(|(at, arrow)| at + arrow.len())?;
-    let (before, behind) = (&line[..at], &line[at + arrow.len()..]);
-    let is_command =
-        arrow.starts_with('\\') && behind.starts_with(|next: char| next.is_ascii_alphabetic());
-    let is_within =
-        before.matches(['(', '[', '{']).count() != before.matches([')', ']', '}']).count();
-    let relates = |text: &str| text.contains(['=', '≈']);
-    let is_led_to = before.trim().is_empty() || before.contains(['=', '≈', '<', '>', '≤', '≥']);
-    let is_sure = if AMBIGUOUS_ARROWS.contains(&arrow) {
-        relates(before) && relates(behind)
-    } else {
-        is_led_to
-    };
-    // `ω1² = 4 ⇒ ω1 = 2, ω2² = 9 ⇒ ω2 = 3` derives two values.
-    let arrow_before = ARROWS
-        .iter()
-        .filter_map(|arrow| Some(before.rfind(arrow)? + arrow.len()))
-        .max();
-    let is_one = arrow_before.is_none_or(|end| !before[end..].contains([',', '&']));
-    let is_step = !is_command && !is_within && is_sure && is_one && !behind.trim().is_empty();
-    is_step.then_some(at + arrow.len())
-}
-
-/// Where the equals sign stands in a line that is about the same symbol as the line before, and says nothing of where
-/// either holds.
-fn repeated(before: &str, line: &str) -> Option<usize> {
-    let bare = |text: &'_ str| -> bool {
-        !text.contains([',', '<', '>', '≤', '≥', '&', '\\', '[', '{'])
-    };
-    let (own, _) = line.split_once('=')?;
-    let (other, _) = before.split_once('=')?;
-    let is_symbol = |text: &str| {
-        text.chars()
-            .all(|char| char.is_alphanumeric() || "_' ".contains(char))
-    };
-    let says_where = |text: &str| {
-        [" for ", " if ", " when ", " pour "]
-            .iter()
-            .any(|word| text.contains(word))
-    };
-    let is_same = !own.trim().is_empty() && own.trim() == other.trim() && is_symbol(own.trim());
-    (is_same && bare(line) && bare(before) && !says_where(line) && !says_where(before))
-        .then_some(own.len())
-}
-
 /// Whether words are in capitals throughout, as those of options are shouted.
 fn is_shouted(typed: &str) -> bool {
     let is_word = |word: &str| word.chars().filter(|char| char.is_uppercase()).count() > 2;
@@ -431,123 +351,6 @@ struct Folder<'t> {
 impl Folder<'_> {
     fn rest(&self) -> &str {
         &self.typed[self.at..]
-    }
-
-    /// Has the labels of several answers part them.
-    fn enumerate(&mut self) {
-        for label in enumeration(&self.typed[self.answer.clone()]) {
-            let label = self.answer.start + label.start..self.answer.start + label.end;
-            let before = self.typed[self.answer.start..label.start].trim_end_matches(' ');
-            let is_parted = before.is_empty() || before.ends_with([',', ';', '\n']);
-            let sign = (!is_parted).then_some(label.end - 1);
-            self.row_ends.extend(sign);
-            self.blanked.extend(label.filter(|at| Some(*at) != sign));
-        }
-    }
-
-    /// Finds the marks before the points of a list, one on each line; a dash is one where each line has a symbol or is set
-    /// apart.
-    fn bullets(&mut self) {
-        let lines = || self.typed.lines().filter(|line| !line.trim().is_empty());
-        let Some(mark) = self.typed.trim_start().get(..2) else {
-            return;
-        };
-        let is_mark = BULLETS.contains(&mark) || mark == "- ";
-        if !is_mark || lines().count() < 2 {
-            return;
-        }
-        let is_point = |line: &str| {
-            line.trim_start().starts_with(mark)
-                && (mark != "- " || line.contains(['=', '≈', ':']) || line.contains("**"))
-        };
-        if lines().all(is_point) {
-            let start = self.typed.as_ptr() as usize;
-            let places = lines().map(|line| {
-                let own = line.as_ptr() as usize - start;
-                own + line.len() - line.trim_start().len()
-            });
-            let places: Vec<usize> = places.collect();
-            self.blanked.extend(places);
-        }
-    }
-
-    /// Finds the steps of a derivation, of which the last one is the answer: `ω² = 4/s² ⇒ ω = 2 rad/s`; and lines that go
-    /// on with what the line before is about, `ω = √(k/m)` and `ω = 2 rad/s`.
-    fn derive(&mut self) {
-        let (start, text) = (self.answer.start, &self.typed[self.answer.clone()]);
-        let mut line_before: Option<std::ops::Range<usize>> = None;
-        let mut at = start;
-        for line in text.split_inclusive(['\n', ';']) {
-            let own = at..at + line.len();
-            at = own.end;
-            if line.trim().is_empty() {
-                continue;
-            }
-            if let Some(end) = end_of_steps(line) {
-                let is_first = line[..end].trim_start_matches(ARROWS_AND_SPACES).is_empty();
-                let from = line_before
-                    .filter(|_| is_first)
-                    .map_or(own.start, |own| own.start);
-                self.dropped.push(from..own.start + end);
-            } else if let Some(before) = &line_before
-                && self.typed[before.clone()].ends_with('\n')
-                && let Some(end) = repeated(&self.typed[before.clone()], line)
-            {
-                // Up to the equals sign, with the end of the line before.
-                self.dropped.push(before.end - 1..own.start + end);
-            }
-            line_before = Some(own);
-        }
-        // The next one last.
-        self.dropped.reverse();
-    }
-
-    fn is_dropped(&mut self) -> bool {
-        while self.dropped.last().is_some_and(|own| own.end <= self.at) {
-            self.dropped.pop();
-        }
-        self.dropped
-            .last()
-            .is_some_and(|own| own.contains(&self.at))
-    }
-
-    /// Whether one of the marks stands here that set a part of an answer apart in Markdown, `ω = **5 rad/s**`. What opens
-    /// has nothing before it that it could multiply, and its partner nothing behind it.
-    fn is_set_apart(&mut self, mark: char) -> bool {
-        if self.marks.first() == Some(&self.at) {
-            self.marks.remove(0);
-            return true;
-        }
-        let typed = self.typed;
-        let rest = &typed[self.at..self.answer.end];
-        let before = self.text.trim_end_matches(' ');
-        let is_behind_nothing = before.is_empty() || before.ends_with(BEFORE_A_VALUE);
-        let mark: &'static str = match mark {
-            '*' if rest.starts_with("**") => "**",
-            '_' if rest.starts_with("__") => "__",
-            '`' => "`",
-            _ => return false,
-        };
-        let inner = &rest[mark.len()..];
-        let may_open = !self.is_unmarked && self.marks.is_empty() && is_behind_nothing;
-        if !may_open || inner.starts_with([' ', '*', '_', '`', '\n']) {
-            return false;
-        }
-        let closes = |(at, _): &(usize, &str)| {
-            let behind = inner[at + mark.len()..].chars().next();
-            let is_apart =
-                behind.is_none_or(|next| next.is_whitespace() || ".,;:!?)".contains(next));
-            is_apart && *at > 0 && !inner[..*at].ends_with([' ', '*', '_'])
-        };
-        let Some((close, _)) = inner.match_indices(mark).find(closes) else {
-            // None of those behind it closes anything either.
-            self.is_unmarked = true;
-            return false;
-        };
-        let (open, close) = (self.at, self.at + mark.len() + close);
-        self.marks.extend(open + 1..open + mark.len());
-        self.marks.extend(close..close + mark.len());
-        true
     }
 
     /// Writes a text for the next `length` bytes.
@@ -750,52 +553,6 @@ impl Folder<'_> {
             })
     }
 
-    /// `53°7'48"`, degrees with their minutes and seconds, as a sum; whether they stand here.
-    fn minutes(&mut self) -> bool {
-        if self.typed[..self.at]
-            .ends_with(|before: char| before.is_ascii_digit() || ".,".contains(before))
-        {
-            return false;
-        }
-        let typed = self.typed;
-        let rest = &typed[self.at..self.answer.end];
-        let number = |text: &'_ str| {
-            let bare = text.trim_start_matches(' ');
-            let end = bare.find(|char: char| !(char.is_ascii_digit() || ".,".contains(char)));
-            let end = end.unwrap_or(bare.len());
-            (end > 0 && bare.starts_with(|first: char| first.is_ascii_digit()))
-                .then(|| (text.len() - bare.len(), text.len() - bare.len() + end))
-        };
-        let Some((0, degrees)) = number(rest) else {
-            return false;
-        };
-        let behind_sign = |text: &'_ str, signs: &[&str]| -> Option<usize> {
-            let bare = text.trim_start_matches(' ');
-            let sign = signs.iter().find(|sign| bare.starts_with(**sign))?;
-            Some(text.len() - bare.len() + sign.len())
-        };
-        let Some(sign) = behind_sign(&rest[degrees..], &["°", "º", "˚"]) else {
-            return false;
-        };
-        let mut at = degrees + sign;
-        let mut sum = rest[..degrees].to_owned();
-        for (signs, share) in ANGLES {
-            let Some((from, to)) = number(&rest[at..]) else {
-                break;
-            };
-            let Some(sign) = behind_sign(&rest[at + to..], signs) else {
-                break;
-            };
-            sum.push_str(&format!("+{}/{share}", &rest[at + from..at + to]));
-            at += to + sign;
-        }
-        let has_minutes = sum.contains("/60");
-        if has_minutes {
-            self.write(&format!("({sum})°"), at);
-        }
-        has_minutes
-    }
-
     /// Words that are letters elsewhere: `y` and `e` between two values, `in` before a unit that ends the response.
     fn word_of_list(&self) -> Option<(usize, &'static str)> {
         let before = self.typed[self.answer.start..self.at].strip_suffix(' ')?;
@@ -880,19 +637,6 @@ impl Folder<'_> {
         is_power
             && before.ends_with(|last: char| last.is_ascii_digit())
             && !before.contains(['[', '&', '^'])
-    }
-
-    /// The ends of lines that follow each other, and the spaces between them: none where the statement goes on in the next
-    /// line.
-    fn line_ends(&mut self) {
-        let typed = self.typed;
-        let rest = &typed[self.at..self.answer.end];
-        let next = rest.trim_start_matches([' ', '\n']);
-        let blank = &rest[..rest.len() - next.len()];
-        let run = blank.rfind('\n').map_or(1, |last| last + 1);
-        let goes_on = next.trim_start().starts_with(['=', '≈'])
-            || self.text.trim_end_matches(' ').ends_with(['=', '≈']);
-        self.write(if goes_on { " " } else { &rest[..run] }, run);
     }
 
     /// What is read together with what comes after it: units of turning, roots.
