@@ -220,10 +220,13 @@ impl SpokenWriter<'_> {
 
     fn power(&mut self, sup: &Math) {
         let voice = self.voice;
+        if let Some(count) = self.primes(sup) {
+            (0..count).for_each(|_| self.say(voice.prime));
+            return;
+        }
         match sup.filled(self.holes) {
             Math::Number(digits) if digits == "2" => self.say(voice.squared),
             Math::Number(digits) if digits == "3" => self.say(voice.cubed),
-            Math::Operator { text, .. } if text == "′" => self.say(voice.prime),
             Math::Operator { text, .. } if text == "∘" => self.say(voice.degrees),
             Math::Operator { text, .. } if text == "∗" => self.say(voice.star),
             _ => {
@@ -233,6 +236,19 @@ impl SpokenWriter<'_> {
                     self.say(voice.power[1]);
                 }
             }
+        }
+    }
+
+    /// How many primes a superscript is made of; none if it is something else.
+    fn primes(&self, sup: &Math) -> Option<usize> {
+        match sup.filled(self.holes) {
+            Math::Operator { text, .. } if text.chars().all(|sign| sign == '′') => {
+                Some(text.chars().count())
+            }
+            Math::Row(pieces) if !pieces.is_empty() => {
+                pieces.iter().map(|piece| self.primes(piece)).sum()
+            }
+            _ => None,
         }
     }
 
@@ -320,11 +336,14 @@ mod tests {
     #[test]
     fn formulas_are_read_aloud() {
         let x = || symbol("x1");
+        let primes = |count| Math::row(std::iter::repeat_n(Math::prefix("′"), count));
         for (math, words) in [
             (symbol("Omega"), "capital omega"),
             (symbol("theta0_max"), "theta sub 0 comma max end sub"),
             (x().derivative(2), "x double dot sub 1"),
             (Math::letter('r').with_sup(Math::number("2")), "r squared"),
+            (Math::letter('v').with_sup(primes(1)), "v prime"),
+            (Math::letter('v').with_sup(primes(2)), "v prime prime"),
             (
                 Math::row([
                     Math::prefix("−"),
