@@ -352,7 +352,7 @@ impl Lexer<'_> {
         reaches
     }
 
-    /// Why a run of letters after a number is no unit.
+    /// Why a run of letters after a number is not a unit.
     fn no_unit(&mut self, start: usize) -> Option<TypedError> {
         let is_due = self.manner.values.is_some() && self.is_behind_value();
         let (after, at) = (self.at, start);

@@ -14,7 +14,7 @@ pub(crate) struct Measured {
 }
 
 /// The function with the units taken out that come after numbers and brackets; none if there are none, or different ones.
-/// The letter of the variable is no unit.
+/// The letter of the variable is not a unit.
 pub(crate) fn measured(
     text: &str,
     variable: &str,

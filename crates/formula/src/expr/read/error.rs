@@ -128,7 +128,7 @@ pub enum ReadError {
         /// The bracket.
         span: Span,
     },
-    /// What stands in the brackets is no unit.
+    /// What stands in the brackets is not a unit.
     #[error("{reason}")]
     Unit {
         /// What is wrong, with the place between the brackets.
