@@ -11,6 +11,7 @@ use std::sync::{Arc, Mutex, PoisonError};
 
 use super::draw::{Around, State};
 use super::{MAX_DRAWS, WIDEST};
+use crate::answer::Context;
 use crate::answer::meaning::{Input, Meaning};
 use crate::expr::Precise;
 use crate::quantity::Evaluation;
@@ -46,7 +47,7 @@ impl<T> Default for BySigns<T> {
 
 impl<T> BySigns<T> {
     /// The value for these signs.
-    pub(crate) fn get(&self, signs: &Signs, make: impl FnOnce() -> T) -> Arc<T> {
+    fn get(&self, signs: &Signs, make: impl FnOnce() -> T) -> Arc<T> {
         // A panic elsewhere leaves the values as they were: each is added whole.
         let mut kept = self.0.lock().unwrap_or_else(PoisonError::into_inner);
         if let Some((_, value)) = kept.iter().find(|(own, _)| own == signs) {
@@ -57,6 +58,20 @@ impl<T> BySigns<T> {
             kept.push((signs.clone(), Arc::clone(&value)));
         }
         value
+    }
+
+    /// The value for these signs; made anew where formulas of a student stand in for the key.
+    pub(crate) fn kept(
+        &self,
+        signs: &Signs,
+        context: &Context<'_>,
+        make: impl FnOnce() -> T,
+    ) -> Arc<T> {
+        if context.standing.is_empty() {
+            self.get(signs, make)
+        } else {
+            Arc::new(make())
+        }
     }
 }
 

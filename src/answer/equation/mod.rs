@@ -235,11 +235,7 @@ impl Answer for Equations {
             let centres = context.sampling.centres(&setup.meaning, &signs);
             Choices::around(setup, &key, centres)
         };
-        let choices = if context.standing.is_empty() {
-            setup.choices.get(&signs, around)
-        } else {
-            Arc::new(around())
-        };
+        let choices = setup.choices.kept(&signs, context, around);
         let mut mistakes = Vec::new();
         for mistaken in &context.mistakes {
             let own = self

@@ -189,11 +189,7 @@ impl Answer for Formula {
         })?;
         let signs = Signs::of(&setup.meaning.values(&context.evaluation));
         let around = || Points::around(&setup.meaning, &context.sampling, &signs, &[&key]);
-        let points = if context.standing.is_empty() {
-            setup.points.get(&signs, around)
-        } else {
-            Arc::new(around())
-        };
+        let points = setup.points.kept(&signs, context, around);
         let mistakes = context.mistakes.iter().filter_map(|mistaken| {
             let compile = || match mistaken.given.first() {
                 Some(node) => compile(&symbolic::formula(graph, *node), &none),

@@ -278,11 +278,7 @@ impl Answer for Matrix {
             let signs = Signs::of(&setup.meaning.values(evaluation));
             let keys: Vec<&Comparable> = formulas.iter().collect();
             let around = || Points::around(&setup.meaning, &context.sampling, &signs, &keys);
-            let points = if context.standing.is_empty() {
-                setup.points.get(&signs, around)
-            } else {
-                Arc::new(around())
-            };
+            let points = setup.points.kept(&signs, context, around);
             (formulas, points)
         });
         let mistakes = context.mistakes.iter().map(|mistaken| {
