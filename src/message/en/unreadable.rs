@@ -57,7 +57,7 @@ fn why(why: &Why) -> String {
         },
 
         Why::Letters => "a number is asked for, without letters.".to_owned(),
-        Why::UnitNotLast => "the unit comes last, after the whole number.".to_owned(),
+        Why::UnitNotLast => "the unit comes last, after the complete number.".to_owned(),
         Why::Counted(word) => format!("type the number alone, without `{word}`."),
         Why::CountedUnit => "type the number alone, without what it counts.".to_owned(),
         Why::NumberAlone => "a number alone is asked for: omit what it counts.".to_owned(),

@@ -53,7 +53,7 @@ fn why(why: &Why) -> String {
         Why::Dimension(_) => "les dimensions ne s’accordent pas.".to_owned(),
 
         Why::Letters => "un nombre est demandé, sans lettres.".to_owned(),
-        Why::UnitNotLast => "l’unité se place à la fin, après le nombre entier.".to_owned(),
+        Why::UnitNotLast => "l’unité se place à la fin, après le nombre complet.".to_owned(),
         Why::Counted(word) => format!("écrivez le nombre seul, sans « {word} »."),
         Why::CountedUnit => "écrivez le nombre seul, sans ce qu’il compte.".to_owned(),
         Why::NumberAlone => "un nombre seul est demandé : supprimez ce qu’il compte.".to_owned(),
