@@ -1,24 +1,26 @@
 //! One spelling for what is typed, with a map back to what was typed.
 
 mod alphabets;
+mod dots;
 mod latex;
 mod marks;
 mod minutes;
+mod plain;
 mod programs;
 mod spaces;
 mod steps;
+mod words;
 
 use std::borrow::Cow;
 use std::cell::OnceCell;
 
 use self::alphabets::unstyled;
 use self::latex::Environment;
-use self::programs::holds_list;
+use self::plain::{has_barred_numbers, has_cells, is_plain};
 use self::spaces::OneWidth;
-use super::signs::{Plain, RUNS, TURNS, begins_run, is_minus, of_char};
-use super::surroundings::{answer_in, behind_words, enumeration};
-use super::words::{EQUATIONS, LISTS, NUMBERS, PERCENT, ROOTS, VERBS, WORDS};
-use vibank_formula::unit::Unit;
+use self::words::is_shouted;
+use super::signs::{MIDDLE_POINT, Plain, RUNS, begins_run, is_minus, of_char};
+use super::surroundings::answer_in;
 use vibank_source::Span;
 
 /// A response in plain signs: letters of mathematical alphabets as ordinary ones, one minus, one sign for "at most",
@@ -214,105 +216,6 @@ impl<'t> Folded<'t> {
     }
 }
 
-/// Whether nothing is to be folded: printable ASCII without commands, dollars, marks and runs of signs.
-fn is_plain(typed: &str) -> bool {
-    let is_kept = |byte: u8| (b' '..=b'~').contains(&byte) && !b"$\\`~|".contains(&byte);
-    let bytes = typed.as_bytes();
-    let mut may_run = false;
-    let is_kept_all = bytes.iter().enumerate().all(|(at, byte)| {
-        may_run |= b"=*&{".contains(byte);
-        is_kept(*byte) && !begins_sign(&bytes[at..])
-    });
-    is_kept_all
-        && !(may_run && (RUNS.iter().any(|(run, _)| typed.contains(run)) || typed.contains("*^")))
-        && !TURNS.iter().any(|(turn, _)| typed.contains(turn))
-        && !typed
-            .match_indices('(')
-            .any(|(at, _)| is_called(&typed[..at]))
-        && !typed.split(' ').any(begins_words)
-        && !is_shouted(typed)
-        && answer_in(typed).len() == typed.len()
-        && enumeration(typed).is_empty()
-}
-
-/// Whether a sign of several characters begins here that is folded, or is none of a plain response.
-// In one pass over the bytes: a search for each of them takes longer than all the rest of a plain response.
-fn begins_sign(rest: &[u8]) -> bool {
-    matches!(
-        rest,
-        [b'.', b'.', ..]
-            | [b'-', b'>' | b'+', ..]
-            | [b'+', b'-', ..]
-            | [b'+', b'/', b'-', ..]
-            | [b'-', b'/', b'+', ..]
-            | [b'_', b']' | b'C' | b'_' | b'(', ..]
-            | [b'C', b'[', ..]
-            | [b'S', b'u', b'b', b's', b'c', ..]
-            | [b'>' | b'<', b' ', b'=', ..]
-            | [b' ', b'1', b'0', b'^', ..]
-    )
-}
-
-/// Whether what stands before a bracket is a call of which the fold knows.
-fn is_called(before: &str) -> bool {
-    [ROOTS, NUMBERS, LISTS, EQUATIONS]
-        .iter()
-        .any(|names| names.iter().any(|name| before.ends_with(name)))
-}
-
-/// Whether words are in capitals throughout, as those of options are shouted.
-fn is_shouted(typed: &str) -> bool {
-    let is_word = |word: &str| word.chars().filter(|char| char.is_uppercase()).count() > 2;
-    !typed.contains(char::is_lowercase) && typed.split(' ').filter(|word| is_word(word)).count() > 1
-}
-
-/// Whether tabs part the cells of several rows, as spreadsheets copy them.
-fn has_cells(typed: &str) -> bool {
-    let mut rows = typed.trim().lines();
-    typed.trim().contains('\n') && rows.all(|row| row.trim().is_empty() || row.contains('\t'))
-}
-
-/// Whether all bars stand between numbers, `(1 | -0.5)`, as schools write vectors.
-fn has_barred_numbers(typed: &str) -> bool {
-    let is_between = |(at, _): (usize, &str)| {
-        let behind = typed[at + 1..].trim_start();
-        let unsigned = behind.strip_prefix(is_minus).unwrap_or(behind);
-        let is_digit = |char: char| char.is_ascii_digit();
-        typed[..at].trim_end().ends_with(is_digit)
-            && unsigned.starts_with(|char: char| is_digit(char) || char == '.')
-    };
-    typed.contains('|')
-        && !typed.contains(['<', '>', '≤', '≥'])
-        && typed.match_indices('|').all(is_between)
-}
-
-/// Whether one of the words that stand for others begins with a word.
-fn begins_words(own: &str) -> bool {
-    if matches!(own, "y" | "e" | "in") {
-        return true;
-    }
-    let is_word = |byte: u8| byte.is_ascii_alphabetic() || byte == b'.';
-    let is_begun = |words: &str| {
-        let behind = words.as_bytes().get(own.len());
-        begins(words, own) && matches!(behind, None | Some(b' '))
-    };
-    own.len() > 1
-        && own.bytes().all(is_word)
-        && (WORDS.iter().any(|(words, _)| is_begun(words))
-            || VERBS.iter().any(|verb| is_begun(verb)))
-}
-
-/// Whether a text begins with a word.
-fn begins(text: &str, word: &str) -> bool {
-    begin_alike(text, word) && text.starts_with(word)
-}
-
-/// Whether two texts have the same first byte.
-// Of a table, most words differ in it, and a comparison of texts is a call.
-fn begin_alike(text: &str, word: &str) -> bool {
-    text.as_bytes().first() == word.as_bytes().first()
-}
-
 struct Folder<'t> {
     typed: &'t str,
     /// Where the answer stands among what is said around it.
@@ -388,29 +291,6 @@ impl Folder<'_> {
             })
     }
 
-    /// Dots of derivatives that stand apart from their letter; whether some do here.
-    fn apart_dots(&mut self, char: char) -> bool {
-        // Copied from a page, dots stand before their letter: `m ¨x`.
-        if let Some(length) = self.dots_before() {
-            let (dots, letter) = self.rest()[..length].split_at('¨'.len_utf8());
-            let dots = if dots == "¨" { "\u{308}" } else { "\u{307}" };
-            let letter = format!(" {}{dots}", unstyled(letter.chars().next().unwrap_or(' ')));
-            self.write(&letter, length);
-            return true;
-        }
-        // A dot belongs to the letter before it, whatever stands between.
-        let behind = self.rest().strip_prefix(' ');
-        let mut signs = behind.unwrap_or_default().chars();
-        let is_dot = signs
-            .next()
-            .is_some_and(|sign| "\u{307}\u{308}¨˙".contains(sign));
-        let belongs_before = is_dot && !signs.next().is_some_and(char::is_alphabetic);
-        if belongs_before {
-            self.write("", char.len_utf8());
-        }
-        belongs_before
-    }
-
     fn piece(&mut self) {
         let Some(char) = self.rest().chars().next() else {
             return;
@@ -478,6 +358,9 @@ impl Folder<'_> {
         if char == '\n' {
             return self.line_ends();
         }
+        if char == '·' && self.is_between_integers() {
+            return self.write(MIDDLE_POINT.encode_utf8(&mut [0; 4]), width);
+        }
         let others = self.beside_digits().or_else(|| self.dots());
         if let Some((length, plain)) = others.or_else(|| self.before_others()) {
             return self.write(plain, length);
@@ -513,89 +396,6 @@ impl Folder<'_> {
         self.sign(letter.encode_utf8(&mut [0; 4]), width);
     }
 
-    /// The words between spaces that stand here, by their length, if others or a sign stand for them.
-    fn word(&self) -> Option<(usize, &'static str)> {
-        let before = &self.typed[self.answer.start..self.at];
-        if !(before.is_empty() || before.ends_with(' ')) {
-            return None;
-        }
-        let rest = self.rest();
-        let of_words = |rest: &str| {
-            let is_same = |head: &str, word: &str| {
-                head == word || self.is_shouted && head.eq_ignore_ascii_case(word)
-            };
-            let mut likely = WORDS
-                .iter()
-                .filter(|(words, _)| self.is_shouted || begin_alike(rest, words));
-            likely.find_map(|(words, plain)| {
-                let behind = behind_words(rest, words, is_same)?;
-                let may_end = *plain == PERCENT || matches!(*plain, "^2" | "^3");
-                let ends = behind.starts_with(' ')
-                    || may_end && !behind.starts_with(char::is_alphanumeric);
-                ends.then(|| (rest.len() - behind.len(), *plain))
-            })
-        };
-        let compares = |verb: &str| {
-            let likely = begin_alike(rest, verb).then_some(rest)?;
-            let behind = behind_words(likely, verb, str::eq)?;
-            let compared = behind.strip_prefix(' ')?.trim_start_matches(' ');
-            let (length, plain) = of_words(compared)?;
-            let is_sign = matches!(plain, "<" | ">" | "≤" | "≥");
-            is_sign.then(|| (rest.len() - compared.len() + length, plain))
-        };
-        // `or` and the like join what stands on both sides.
-        VERBS
-            .iter()
-            .find_map(|verb| compares(verb))
-            .or_else(|| of_words(rest))
-            .filter(|(_, plain)| {
-                !before.is_empty() || matches!(*plain, "<" | ">" | "≤" | "≥" | "-")
-            })
-    }
-
-    /// Words that are letters elsewhere: `y` and `e` between two values, `in` before a unit that ends the response.
-    fn word_of_list(&self) -> Option<(usize, &'static str)> {
-        let before = self.typed[self.answer.start..self.at].strip_suffix(' ')?;
-        let rest = &self.typed[self.at..self.answer.end];
-        let is_value = |char: char| char.is_ascii_digit() || "°)".contains(char);
-        if let Some(unit) = rest.strip_prefix("in ") {
-            let is_unit = Unit::read(unit.trim()).is_ok() && !unit.trim().is_empty();
-            return (is_unit && before.ends_with(is_value)).then_some((2, " "));
-        }
-        let word = ["y ", "e "]
-            .into_iter()
-            .find(|word| rest.starts_with(word))?;
-        let next = rest[word.len()..].trim_start_matches('-');
-        let digits = next.trim_start_matches(|char: char| char.is_ascii_digit());
-        let is_number = digits.len() < next.len();
-        // `3 e 5` may have a power of ten, which has no decimals.
-        let is_sure = word == "y " || digits.starts_with(['.', ',']);
-        let is_behind = before.ends_with(is_value)
-            || before.ends_with(char::is_alphabetic)
-                && before.starts_with(|first: char| first.is_ascii_digit() || first == '-');
-        (is_number && is_sure && is_behind).then_some((1, "and"))
-    }
-
-    /// `x1..`, the dots of a derivative after its letter; one dot alone is such where two are.
-    fn dots(&self) -> Option<(usize, &'static str)> {
-        let rest = self.rest();
-        if !rest.starts_with('.') {
-            return None;
-        }
-        let is_of_name = |char: char| char.is_alphanumeric() || "_}".contains(char);
-        let before = &self.typed[..self.at];
-        let name = &before[before.trim_end_matches(is_of_name).len()..];
-        if !name.starts_with(|first: char| first.is_alphabetic()) {
-            return None;
-        }
-        let next = |length: usize| rest[length..].chars().next().unwrap_or(' ');
-        if rest.starts_with("..") {
-            return (next(2) != '.').then_some((2, "\u{308}"));
-        }
-        let is_dot = self.typed.contains("..") && !next(1).is_alphanumeric();
-        is_dot.then_some((1, "\u{307}"))
-    }
-
     /// The index in round brackets that word processors write, `k_(eq)`, with its length.
     fn bracketed_index(&self) -> Option<(String, usize)> {
         let inner = self.rest().strip_prefix("_(")?;
@@ -616,14 +416,24 @@ impl Folder<'_> {
         inner.is_some_and(|inner| inner.contains([',', ';']) && !inner.contains(['<', '>', '=']))
     }
 
-    /// The length of dots that a letter follows, where nothing stands right before them and they have no letter there.
-    fn dots_before(&self) -> Option<usize> {
-        let rest = self.rest();
-        let behind = rest.strip_prefix(['¨', '˙'])?;
+    /// Whether integers stand right before and after the sign here, and end there; a power of ten is raised.
+    fn is_between_integers(&self) -> bool {
+        const DECIMALS: [char; 3] = ['.', ',', '·'];
+        let is_digit = |char: char| char.is_ascii_digit();
+        let ends = |text: &str| !text.starts_with(DECIMALS) && !text.starts_with(['^', 'e', 'E']);
         let before = &self.typed[..self.at];
-        let is_apart = before.is_empty() || before.ends_with([' ', '+', '-', '*', '=', '(', '·']);
-        let letter = behind.chars().next().filter(|next| next.is_alphabetic())?;
-        is_apart.then(|| rest.len() - behind.len() + letter.len_utf8())
+        let whole = before.trim_end_matches(is_digit);
+        let behind = &self.rest()['·'.len_utf8()..];
+        let rest = behind.trim_start_matches(is_digit);
+        let begins = |text: &str| {
+            !text.ends_with(DECIMALS)
+                && !text.ends_with(|last: char| last.is_alphanumeric() || last == '_')
+        };
+        whole.len() < before.len()
+            && begins(whole)
+            && rest.len() < behind.len()
+            && !behind.starts_with("10")
+            && ends(rest)
     }
 
     /// `1.4 10^-2`, as on paper; whether the space before the power stands here. In square brackets it parts entries.
@@ -637,30 +447,6 @@ impl Folder<'_> {
         is_power
             && before.ends_with(|last: char| last.is_ascii_digit())
             && !before.contains(['[', '&', '^'])
-    }
-
-    /// What is read together with what comes after it: units of turning, roots.
-    fn before_others(&self) -> Option<(usize, &'static str)> {
-        let rest = self.rest();
-        if !rest.starts_with(char::is_alphabetic)
-            || self.typed[..self.at].ends_with(|char: char| char.is_alphabetic() || char == '_')
-        {
-            return None;
-        }
-        if let Some((turn, plain)) = TURNS.iter().find(|(turn, _)| begins(rest, turn)) {
-            return Some((turn.len(), plain));
-        }
-        let is_call =
-            |name: &&&str| begins(rest, name) && rest.as_bytes().get(name.len()) == Some(&b'(');
-        if let Some(root) = ROOTS.iter().find(is_call) {
-            return Some((root.len(), "sqrt"));
-        }
-        let number = NUMBERS.iter().find(is_call);
-        // `mat(1 + x)` may be a product of letters.
-        let holds_list = |name: &&&str| holds_list(&rest[name.len() + 1..]);
-        let list = || LISTS.iter().find(is_call).filter(holds_list);
-        let name = number.or_else(list)?;
-        Some((name.len(), ""))
     }
 
     /// Whether `~` says what a symbol nearly is: `x ~ 0.24`. Otherwise it is the space of LaTeX.
@@ -758,6 +544,18 @@ mod tests {
             ("u=<1, 2>", "u= <1, 2>"),
             ("x =< 2", "x ≤ 2"),
             ("A TIMES B PLUS C", "A * B + C"),
+            (
+                "\\underline{\\underline{\\frac{k}{m}}}",
+                "   \\frac{k}{m}  ",
+            ),
+            ("a!\\;", "a"),
+            ("1{\\,}250\\,m", "1 250 m"),
+            ("1.4\\,10^{-2}", "1.4*10^{-2}"),
+            ("m ü + ku", "m u\u{308} + ku"),
+            ("für ü", "für u\u{308}"),
+            ("6·1237 m", "6‧1237 m"),
+            ("6·10-3 m", "6*10-3 m"),
+            ("0.5·12 m", "0.5*12 m"),
         ] {
             assert_eq!(Folded::of(pasted).unwrap().text(), meant, "{pasted}");
         }

@@ -3,6 +3,7 @@
 use super::differential::{behind, called, leibniz, method};
 use super::digits::fraction;
 use super::letters::{Letters, combining, dotted, greek, greek_word};
+use super::signs::MIDDLE_POINT;
 use super::token::{Item, Token};
 use super::vocabulary::{INITIAL, Powered, WordPiece, WordSense};
 use super::words::MODULES;
@@ -142,6 +143,7 @@ impl Lexer<'_> {
             '+' | '/' | '^' | '(' | ')' | '[' | ']' | '{' | '}' | '|' | ';' | '=' | '<' | '>'
             | '≤' | '≥' | '≠' | '&' => Item::Sign(char),
             '*' | '-' => Item::Sign(char),
+            MIDDLE_POINT => Item::Sign('*'),
             '≈' => Item::Sign('='),
             '√' => Item::Root,
             '°' => Item::Degree,

@@ -118,6 +118,9 @@ pub(crate) const BULLETS: &[&str] = &["* ", "• ", "· ", "‣ ", "◦ ", "▪ 
 /// The sign that is a decimal sign and nothing else.
 pub(crate) const DECIMAL: char = '⎖';
 
+/// The sign of a product of two integers that may be a decimal sign: `6·12`, as printed in Britain.
+pub(crate) const MIDDLE_POINT: char = '‧';
+
 /// Runs of signs, the longer ones before those with which they begin.
 pub(crate) const RUNS: &[(&str, &str)] = &[
     ("=/=", "≠"),
@@ -158,7 +161,6 @@ pub(crate) const RUNS: &[(&str, &str)] = &[
     ("%e", "e"),
     // The decimal comma of LaTeX, which never parts thousands.
     ("{,}", "⎖"),
-    ("{\\,}", " "),
     ("×₁₀^", "e"),
     ("×₁₀", "e"),
 ];

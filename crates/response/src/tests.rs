@@ -173,6 +173,30 @@ fn derivatives_are_read() {
 }
 
 #[test]
+fn a_datum_printed_with_its_dot_is_read_in_words_and_signs() {
+    let mut lexicon = lexicon();
+    let name = Name::from("thetadot0");
+    let math = vibank_notation::read_latex("\\dot\\theta_0").unwrap();
+    lexicon.allow(&Name::from("theta0"), symbol("theta0"), false);
+    lexicon.allow(&name, math, false);
+    for text in [
+        "thetadot0",
+        "theta0dot",
+        "theta_0dot",
+        "dottheta0",
+        "θ̇₀",
+        "θ̇_0",
+        "θdot0",
+        "\\dot\\theta_0",
+        "\\dot{\\theta}_0",
+    ] {
+        let typed = formula(text, &lexicon, MANNER);
+        let typed = typed.unwrap_or_else(|error| panic!("{text}: {:?}", error.at(text)));
+        assert_eq!(typed.value, Expr::name(name.clone()), "{text}");
+    }
+}
+
+#[test]
 fn simple_latex_is_read() {
     for (text, expected) in [
         ("\\frac{k}{m}", "k/m"),

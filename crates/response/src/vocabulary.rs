@@ -275,6 +275,12 @@ impl Words {
         }
         if let Some((base, order)) = undotted(&plain) {
             self.add(&base, sense.clone(), order);
+            // `theta0dot`, `thetadot0` for a datum that is printed with its dots.
+            for word in rates(&base, order) {
+                if !self.is_taken(&word) {
+                    self.add(&word, sense.clone(), 0);
+                }
+            }
         }
         let printed = Letters::spelling(&math.plain());
         let usual = Letters::spelling(&symbol(name.as_str()).plain());
@@ -530,15 +536,30 @@ impl Words {
                 self.add(&word, second.clone(), 0);
             }
         }
-        for (word, order) in [("dot", 1), ("ddot", 2), ("dotdot", 2)] {
+        for order in [1, 2] {
             let sense = WordSense::Leaf(Expr::name(name.clone()).prime(order));
-            self.add(&format!("{spelling}{word}"), sense.clone(), 0);
-            self.add(&format!("{word}{spelling}"), sense.clone(), 0);
-            if !digits.is_empty() {
-                self.add(&format!("{stem}{word}{digits}"), sense, 0);
+            for word in rates(spelling, order) {
+                self.add(&word, sense.clone(), 0);
             }
         }
     }
+}
+
+/// A letter with its dots as words: `xdot`, `ddotx`, and with a subscript `xdot1`.
+fn rates(spelling: &str, order: u8) -> Vec<String> {
+    let stem = spelling.trim_end_matches(|last: char| last.is_ascii_digit());
+    let digits = &spelling[stem.len()..];
+    let dots: &[&str] = match order {
+        1 => &["dot"],
+        2 => &["ddot", "dotdot"],
+        _ => &[],
+    };
+    let mut words = Vec::new();
+    for dots in dots {
+        words.extend([format!("{spelling}{dots}"), format!("{dots}{spelling}")]);
+        words.extend((!digits.is_empty()).then(|| format!("{stem}{dots}{digits}")));
+    }
+    words
 }
 
 /// The spelling of a symbol with dots over its letter, and how many.

@@ -125,6 +125,24 @@ pub(crate) const WORDS: &[(&str, &str)] = &[
     ("sinon", "otherwise"),
 ];
 
+/// Where a word that is a letter elsewhere stands for another.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Between {
+    /// Between two values.
+    Values,
+    /// Between two values, the second one with decimals: `3 e 5` may have a power of ten, which has none.
+    Decimals,
+    /// Between a value and the unit that ends the response.
+    Unit,
+}
+
+/// Words that are letters elsewhere, with what they stand for and where.
+pub(crate) const LETTERS: &[(&str, &str, Between)] = &[
+    ("y", "and", Between::Values),
+    ("e", "and", Between::Decimals),
+    ("in", " ", Between::Unit),
+];
+
 /// Verbs before words that compare: `x must be at least 3 m`.
 pub(crate) const VERBS: &[&str] = &[
     "is",

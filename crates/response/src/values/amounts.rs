@@ -4,6 +4,7 @@ use super::{MAX_FORMULA_LENGTH, Part, Values};
 use crate::amount::{Amount, split};
 use crate::lost_power::lost_power;
 use crate::parser::Parser;
+use crate::signs::MIDDLE_POINT;
 use crate::token::{Item, Token};
 use crate::ways::readings;
 use crate::{Trouble, Typed, TypedError, ValueTrouble};
@@ -42,7 +43,36 @@ impl Values<'_> {
         amount
             .others
             .extend(others.filter_map(|other| self.checked(other, part).ok()));
+        amount.others.extend(self.by_middle_point(part));
         Ok(amount)
+    }
+
+    /// The decimal that a product of two integers may be, `6·1237 m`.
+    fn by_middle_point(&self, part: &Part) -> Option<Amount> {
+        let (sign, tokens) = match self.first(part) {
+            Item::Sign(sign @ ('-' | '+')) => (*sign, &self.tokens[part.start + 1..part.end]),
+            _ => ('+', &self.tokens[part.clone()]),
+        };
+        let [whole, point, decimals, unit @ ..] = tokens else {
+            return None;
+        };
+        let typed = |token: &Token| &self.text[token.span.range()];
+        let unit = match unit {
+            [] => Unit::ONE,
+            [
+                Token {
+                    item: Item::Unit(unit),
+                    ..
+                },
+            ] => **unit,
+            _ => return None,
+        };
+        let is_point = typed(point) == MIDDLE_POINT.encode_utf8(&mut [0; 4]);
+        let value = format!("{sign}{}.{}", typed(whole), typed(decimals));
+        let value = Decimal::parse(value.trim_start_matches('+'))
+            .ok()
+            .filter(|_| is_point)?;
+        Some(Amount::decimal(value, unit))
     }
 
     /// What speaks against a part as an amount before its formula is read; `inner` is what stands in brackets around all

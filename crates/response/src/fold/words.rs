@@ -1,0 +1,131 @@
+//! Words that stand for others or for signs, and words before brackets.
+
+use super::Folder;
+use super::programs::holds_list;
+use crate::signs::TURNS;
+use crate::surroundings::behind_words;
+use crate::words::{Between, LETTERS, LISTS, NUMBERS, PERCENT, ROOTS, VERBS, WORDS};
+use vibank_formula::unit::Unit;
+
+impl Folder<'_> {
+    /// The words between spaces that stand here, by their length, if others or a sign stand for them.
+    pub(crate) fn word(&self) -> Option<(usize, &'static str)> {
+        let before = &self.typed[self.answer.start..self.at];
+        if !(before.is_empty() || before.ends_with(' ')) {
+            return None;
+        }
+        let rest = self.rest();
+        let of_words = |rest: &str| {
+            let is_same = |head: &str, word: &str| {
+                head == word || self.is_shouted && head.eq_ignore_ascii_case(word)
+            };
+            let mut likely = WORDS
+                .iter()
+                .filter(|(words, _)| self.is_shouted || begin_alike(rest, words));
+            likely.find_map(|(words, plain)| {
+                let behind = behind_words(rest, words, is_same)?;
+                let may_end = *plain == PERCENT || matches!(*plain, "^2" | "^3");
+                let ends = behind.starts_with(' ')
+                    || may_end && !behind.starts_with(char::is_alphanumeric);
+                ends.then(|| (rest.len() - behind.len(), *plain))
+            })
+        };
+        let compares = |verb: &str| {
+            let likely = begin_alike(rest, verb).then_some(rest)?;
+            let behind = behind_words(likely, verb, str::eq)?;
+            let compared = behind.strip_prefix(' ')?.trim_start_matches(' ');
+            let (length, plain) = of_words(compared)?;
+            let is_sign = matches!(plain, "<" | ">" | "≤" | "≥");
+            is_sign.then(|| (rest.len() - compared.len() + length, plain))
+        };
+        // `or` and the like join what stands on both sides.
+        VERBS
+            .iter()
+            .find_map(|verb| compares(verb))
+            .or_else(|| of_words(rest))
+            .filter(|(_, plain)| {
+                !before.is_empty() || matches!(*plain, "<" | ">" | "≤" | "≥" | "-")
+            })
+    }
+
+    /// A word that is a letter elsewhere, `y` and `e` between two values, `in` before a unit that ends the response.
+    pub(crate) fn word_of_list(&self) -> Option<(usize, &'static str)> {
+        let before = self.typed[self.answer.start..self.at].strip_suffix(' ')?;
+        let rest = &self.typed[self.at..self.answer.end];
+        let (word, plain, between) = LETTERS.iter().find(|(word, ..)| {
+            let behind = rest.strip_prefix(word);
+            behind.is_some_and(|behind| behind.starts_with(' '))
+        })?;
+        let behind = &rest[word.len() + 1..];
+        let is_value = |char: char| char.is_ascii_digit() || "°)".contains(char);
+        let is_behind_value = before.ends_with(is_value);
+        let stands = if *between == Between::Unit {
+            is_behind_value && !behind.trim().is_empty() && Unit::read(behind.trim()).is_ok()
+        } else {
+            let next = behind.trim_start_matches('-');
+            let digits = next.trim_start_matches(|char: char| char.is_ascii_digit());
+            let is_sure = *between == Between::Values || digits.starts_with(['.', ',']);
+            let is_amount = before.ends_with(char::is_alphabetic)
+                && before.starts_with(|first: char| first.is_ascii_digit() || first == '-');
+            digits.len() < next.len() && is_sure && (is_behind_value || is_amount)
+        };
+        stands.then_some((word.len(), *plain))
+    }
+
+    /// What is read together with what comes after it: units of turning, roots.
+    pub(crate) fn before_others(&self) -> Option<(usize, &'static str)> {
+        let rest = self.rest();
+        if !rest.starts_with(char::is_alphabetic)
+            || self.typed[..self.at].ends_with(|char: char| char.is_alphabetic() || char == '_')
+        {
+            return None;
+        }
+        if let Some((turn, plain)) = TURNS.iter().find(|(turn, _)| begins(rest, turn)) {
+            return Some((turn.len(), plain));
+        }
+        let is_call =
+            |name: &&&str| begins(rest, name) && rest.as_bytes().get(name.len()) == Some(&b'(');
+        if let Some(root) = ROOTS.iter().find(is_call) {
+            return Some((root.len(), "sqrt"));
+        }
+        let number = NUMBERS.iter().find(is_call);
+        // `mat(1 + x)` may be a product of letters.
+        let holds_list = |name: &&&str| holds_list(&rest[name.len() + 1..]);
+        let list = || LISTS.iter().find(is_call).filter(holds_list);
+        let name = number.or_else(list)?;
+        Some((name.len(), ""))
+    }
+}
+
+/// Whether words are in capitals throughout, as those of options are shouted.
+pub(crate) fn is_shouted(typed: &str) -> bool {
+    let is_word = |word: &str| word.chars().filter(|char| char.is_uppercase()).count() > 2;
+    !typed.contains(char::is_lowercase) && typed.split(' ').filter(|word| is_word(word)).count() > 1
+}
+
+/// Whether one of the words that stand for others begins with a word.
+pub(crate) fn begins_words(own: &str) -> bool {
+    if LETTERS.iter().any(|(word, ..)| *word == own) {
+        return true;
+    }
+    let is_word = |byte: u8| byte.is_ascii_alphabetic() || byte == b'.';
+    let is_begun = |words: &str| {
+        let behind = words.as_bytes().get(own.len());
+        begins(words, own) && matches!(behind, None | Some(b' '))
+    };
+    own.len() > 1
+        && own.bytes().all(is_word)
+        && (WORDS.iter().any(|(words, _)| is_begun(words))
+            || VERBS.iter().any(|verb| is_begun(verb)))
+}
+
+/// Whether a text begins with a word.
+fn begins(text: &str, word: &str) -> bool {
+    begin_alike(text, word) && text.starts_with(word)
+}
+
+/// Whether two texts have the same first byte.
+// Of a table, most words differ in it, and a comparison of texts is a call.
+fn begin_alike(text: &str, word: &str) -> bool {
+    text.as_bytes().first() == word.as_bytes().first()
+}

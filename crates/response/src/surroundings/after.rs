@@ -1,0 +1,159 @@
+//! Words, remarks and reasons after an answer.
+
+use crate::letters::greek_word;
+use crate::signs::is_apostrophe;
+use crate::words::{ASIDES, REASONS, SEALS, TRAILS};
+use vibank_formula::unit::Unit;
+use vibank_source::lower;
+
+/// The length of words after an answer, of a remark in brackets, of a semicolon, or of a comma.
+pub(crate) fn trail(text: &str) -> Option<usize> {
+    // The sentence may end after them.
+    let ended = text.strip_suffix('.').map_or(text, str::trim_end);
+    let of_words = |text: &'_ str| TRAILS.iter().find(|trail| text.ends_with(**trail));
+    let found = of_words(text).map(|words| (text, words));
+    if let Some((own, words)) = found.or_else(|| Some((ended, of_words(ended)?))) {
+        let before = &own[..own.len() - words.len()];
+        let is_apart = before.ends_with([' ', ')', ']']) || words.starts_with(',');
+        return is_apart.then(|| text.len() - before.len());
+    }
+    if let Some(before) = SEALS.iter().find_map(|seal| ended.strip_suffix(seal)) {
+        return (!before.trim().is_empty()).then(|| text.len() - before.len());
+    }
+    // `…, where A and B are constants`
+    if ended.ends_with("constants")
+        && let Some((before, _)) = ended.split_once(" where ")
+    {
+        return (!before.trim().is_empty()).then(|| text.len() - before.len());
+    }
+    if let Some(at) = reason(text) {
+        return Some(text.len() - at);
+    }
+    // A row of LaTeX that none follows.
+    if text.ends_with("\\\\") {
+        return Some(2);
+    }
+    if let Some(length) = comment(text) {
+        return Some(length);
+    }
+    if let Some(length) = aside(text).or_else(|| precision(text)) {
+        return Some(length);
+    }
+    if text.ends_with(">.") {
+        return Some(1);
+    }
+    if let Some(before) = text.strip_suffix('!') {
+        // `3!` is a factorial. The French set a space before the mark.
+        let ends = |last: char| last.is_alphabetic() || before.ends_with(' ');
+        return before.trim_end().ends_with(ends).then_some(1);
+    }
+    if let Some(before) = text.strip_suffix(';') {
+        let ends = |last: char| last.is_alphanumeric() || ")]}°%²³'".contains(last);
+        return before.trim_end().ends_with(ends).then_some(1);
+    }
+    let before = text.strip_suffix(',')?;
+    before.ends_with(char::is_alphanumeric).then_some(1)
+}
+
+/// The length of a remark in brackets after an answer: `(3 s.f.)`, `(see above)`, and the `(1)` by which an equation is
+/// numbered, which is the same as a factor.
+fn aside(text: &str) -> Option<usize> {
+    /// A shorter word may be a letter of a formula, and a unit.
+    const MIN_LETTERS: usize = 4;
+    let pairs = [(')', " ("), (']', " [")];
+    let (before, aside) = pairs
+        .iter()
+        .find_map(|(close, open)| text.strip_suffix(*close)?.rsplit_once(open))?;
+    let length = || Some(text.len() - before.len());
+    if aside == "1" && before.contains('=') {
+        return length();
+    }
+    // `overdamped (ζ > 1)`
+    let is_of_words = |char: char| char.is_alphabetic() || " -".contains(char);
+    let is_named = before
+        .split(' ')
+        .any(|word| word.chars().count() > MIN_LETTERS)
+        && before.chars().all(is_of_words);
+    if is_named && aside.contains(['<', '>']) {
+        return length();
+    }
+    let is_number = |word: &str| word.bytes().all(|byte| byte.is_ascii_digit());
+    let is_said = |word: &str| {
+        let word = word.trim_end_matches([',', ';', ':']);
+        // `3sf`
+        let unit = word.trim_start_matches(|char: char| char.is_ascii_digit());
+        is_number(word) || ASIDES.contains(&word) || ASIDES.contains(&unit)
+    };
+    // `12 (in)` has inches.
+    let says_nothing = |word: &str| {
+        let word = word.trim_end_matches([',', ';', ':']);
+        is_number(word) || ["in", "to", "à"].contains(&word)
+    };
+    let mut words = aside.split_whitespace();
+    if words.clone().all(is_said) && !words.clone().all(says_nothing) {
+        return length();
+    }
+    let is_word = |word: &str| {
+        let word = word.trim_end_matches([',', ';', '.', '!', '?']);
+        let mut letters = word.chars();
+        !word.is_empty()
+            && letters.all(|char| char.is_alphabetic() || char == '-' || is_apostrophe(char))
+    };
+    let is_no_letter = |word: &str| {
+        word.chars().filter(|char| char.is_alphabetic()).count() >= MIN_LETTERS
+            && greek_word(&lower(word)).is_none()
+            && Unit::read(word).is_err()
+    };
+    // One word alone may name an option, `underdamped (aperiodic)`.
+    let are_words = words.clone().count() > 1
+        && words.clone().all(is_word)
+        && words.any(is_no_letter)
+        && Unit::read(aside).is_err();
+    if are_words { length() } else { None }
+}
+
+/// The length of what says to how many figures an answer is given: `to 3 s.f.`, `to 3 significant figures`.
+fn precision(text: &str) -> Option<usize> {
+    let (before, said) = text.rsplit_once(" to ")?;
+    let mut words = said.split_whitespace();
+    let is_number = words
+        .next()
+        .is_some_and(|first| first.parse::<u8>().is_ok());
+    let mut rest = words.peekable();
+    let is_said = rest.peek().is_some() && rest.all(|word| ASIDES.contains(&word));
+    (is_number && is_said).then(|| text.len() - before.len())
+}
+
+/// Where the reason begins that is given after an answer: `5 m, since k = 3 N/m`.
+fn reason(text: &str) -> Option<usize> {
+    text.match_indices(' ').find_map(|(at, _)| {
+        let rest = &text[at + 1..];
+        let is_reason = |word: &&&str| {
+            let behind = rest.strip_prefix(**word);
+            behind.is_some_and(|behind| behind.starts_with(' '))
+        };
+        let word = REASONS.iter().find(is_reason)?;
+        let before = text[..at].trim_end();
+        // Short words are letters elsewhere: `da` and `car` say why only after a comma.
+        let is_apart = before.ends_with(',') || word.len() > 4;
+        (is_apart && !before.trim_end_matches(',').is_empty()).then_some(at)
+    })
+}
+
+/// The length of a comment of a program, `# checked`, `// by Newton`. One that is a unit or says where it is measured is
+/// more than that, and `k1 // k2` are springs in parallel.
+fn comment(text: &str) -> Option<usize> {
+    /// Longer words are no symbols of units.
+    const MAX_UNIT: usize = 5;
+    // Most responses have neither sign, and a search for two letters takes longer than one for their bytes.
+    if !text.bytes().any(|byte| b"#/".contains(&byte)) {
+        return None;
+    }
+    let (before, comment) = text.split_once(" # ").or_else(|| text.split_once(" // "))?;
+    // A word after `//` that is as short as a letter of a formula may be one.
+    let word = comment.split([' ', ',', ':']).next().unwrap_or(comment);
+    let is_word =
+        word.starts_with(char::is_alphabetic) && (text.contains(" # ") || word.chars().count() > 2);
+    let is_unit = comment.len() <= MAX_UNIT && Unit::read(comment).is_ok();
+    (is_word && !is_unit && !before.trim().is_empty()).then(|| text.len() - before.len())
+}

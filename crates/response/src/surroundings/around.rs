@@ -1,0 +1,79 @@
+//! Marks, brackets and calls of programs around a whole answer.
+
+use crate::list::cut;
+use crate::signs::QUOTES;
+use vibank_source::Span;
+
+/// The lengths of the marks around an answer.
+pub(crate) fn quotes(text: &str) -> Option<(usize, usize)> {
+    // A star or two underscores that begin a text multiply nothing, whatever is multiplied between them.
+    for mark in ["*", "__"] {
+        let inner = text
+            .strip_prefix(mark)
+            .and_then(|text| text.strip_suffix(mark));
+        let inner = inner.filter(|_| !text.starts_with("**"));
+        if inner.is_some_and(|inner| !inner.trim().is_empty() && !inner.ends_with('^')) {
+            return Some((mark.len(), mark.len()));
+        }
+    }
+    QUOTES.iter().find_map(|(open, close)| {
+        let inner = text.strip_prefix(open)?.strip_suffix(close)?;
+        let is_whole = !inner.trim().is_empty() && !inner.contains(open) && !inner.contains(close);
+        is_whole.then_some((open.len(), close.len()))
+    })
+}
+
+/// The lengths of the fence around a block of code, with the language after its first mark.
+pub(crate) fn fence(text: &str) -> Option<(usize, usize)> {
+    const MARK: &str = "```";
+    let inner = text.strip_prefix(MARK)?.strip_suffix(MARK)?;
+    let is_language = |line: &str| line.chars().all(|char| char.is_ascii_alphabetic());
+    let own = match inner.split_once('\n') {
+        Some((line, own)) if is_language(line.trim()) => own,
+        _ => inner,
+    };
+    let is_whole = !own.trim().is_empty() && !own.contains(MARK);
+    is_whole.then(|| (text.len() - MARK.len() - own.len(), MARK.len()))
+}
+
+/// The lengths of what programs write around a function or a solution: `Function[t, …]`, `{{x -> …}}`.
+pub(crate) fn program(text: &str) -> Option<(usize, usize)> {
+    const HEADS: &[&str] = &["Function[t,", "Function[{t},", "Function[t_,"];
+    let head = HEADS.iter().find(|head| text.starts_with(**head));
+    if let Some(head) = head.filter(|_| text.ends_with(']')) {
+        return Some((head.len(), 1));
+    }
+    let inner = text.strip_prefix('{')?.strip_suffix('}')?;
+    // `{x1(t) = …, x2(t) = …}`, as Maple gives solutions.
+    let is_set = || {
+        let pieces = cut(inner, Span::new(0, inner.len()), &[',']);
+        let is_equation = |piece: &Span| {
+            let text = &inner[piece.range()];
+            text.contains('=') && !text.contains(['<', '>', '!', '|', '{', '}'])
+        };
+        pieces.len() > 1 && pieces.iter().all(is_equation)
+    };
+    (text.contains("->") && !inner.is_empty() || is_set()).then_some((1, 1))
+}
+
+/// Whether brackets stand around a whole statement, `(x = 3 m)`.
+pub(crate) fn bracketed(text: &str) -> bool {
+    let inner = text
+        .strip_prefix('(')
+        .and_then(|text| text.strip_suffix(')'));
+    let Some(inner) =
+        inner.filter(|inner| !inner.contains([',', ';', '<', '>', '≤', '≥', '!', '|']))
+    else {
+        return false;
+    };
+    let mut depth = 0_i32;
+    let is_whole = inner.chars().all(|char| {
+        depth += match char {
+            '(' => 1,
+            ')' => -1,
+            _ => 0,
+        };
+        depth >= 0
+    });
+    is_whole && inner.contains('=')
+}

@@ -1,0 +1,108 @@
+//! Numbers and letters before the answers of a list.
+
+use std::ops::Range;
+
+use crate::signs::is_minus;
+
+/// The length of a number or letter before an answer, as the parts of a sheet have: `1) 5 m`, `(a) x = 5 m`, `1. -5 m`.
+pub(crate) fn number_of_item(text: &str) -> Option<usize> {
+    let open = usize::from(text.starts_with('('));
+    let label = text[open..].chars().next()?;
+    let behind = &text[open + label.len_utf8()..];
+    let is_number = label.is_ascii_digit();
+    if !is_number && !('a'..='h').contains(&label) || !enumeration(text).is_empty() {
+        return None;
+    }
+    let begins_value = |behind: &str| {
+        let behind = behind.trim_start();
+        let unsigned = behind.strip_prefix(is_minus).unwrap_or(behind);
+        unsigned.starts_with(|next: char| next.is_ascii_digit())
+    };
+    let (is_label, behind) = if let Some(behind) = behind.strip_prefix(')') {
+        // Of a choice, `a) static`, letters are answers. `(2) x` may be a product; `(1) 5 m` is the same either way.
+        let is_statement = behind.contains('=') || begins_value(behind);
+        // The brackets of `1) 5 m 2) 6 m` are of several answers.
+        let is_one = behind.matches('(').count() == behind.matches(')').count();
+        let may_be_label = !is_number || label == '1';
+        let is_sure = is_number && open == 0 || may_be_label && is_statement;
+        (is_one && is_sure, behind)
+    } else {
+        let behind = behind.strip_prefix('.').filter(|_| open == 0)?;
+        // `1. m` is a metre.
+        let begins = behind
+            .trim_start()
+            .starts_with(|next: char| next.is_alphabetic() || next == '\\');
+        let is_equation = label == '1' && begins && behind.contains('=');
+        (is_number && (is_equation || begins_value(behind)), behind)
+    };
+    let is_apart = behind.starts_with(' ')
+        && !behind.trim().is_empty()
+        && !behind.trim_start().starts_with('=');
+    (is_label && is_apart).then(|| text.len() - behind.len())
+}
+
+/// The labels of several answers, `1) … 2) …`, `(a) … (b) …`, `1. x = … 2. y = …`; none where that is not how the text
+/// goes.
+pub(crate) fn enumeration(text: &str) -> Vec<Range<usize>> {
+    const STYLES: [(&str, char, &str); 5] = [
+        ("", '1', ")"),
+        ("(", '1', ")"),
+        ("", 'a', ")"),
+        ("(", 'a', ")"),
+        ("", '1', "."),
+    ];
+    let start = text.trim_start();
+    let head = start.strip_prefix('(').unwrap_or(start);
+    let is_label = head.starts_with(['1', 'a']) && matches!(head.get(1..3), Some(") " | ". "));
+    if !is_label {
+        return Vec::new();
+    }
+    let mut found = STYLES.into_iter().map(|(open, first, close)| {
+        let labels = labels(text, open, first, close);
+        let are_labels = labels.len() > 1 && are_apart(text, &labels, close);
+        labels.into_iter().filter(|_| are_labels).collect()
+    });
+    found
+        .find(|labels: &Vec<_>| !labels.is_empty())
+        .unwrap_or_default()
+}
+
+/// The labels of one style that follow each other in a text, the first one at its start.
+fn labels(text: &str, open: &str, first: char, close: &str) -> Vec<Range<usize>> {
+    const MAX_LABELS: u8 = 6;
+    let (mut found, mut at) = (Vec::new(), text.len() - text.trim_start().len());
+    for label in (0..MAX_LABELS).map(|place| char::from(first as u8 + place)) {
+        let label = format!("{open}{label}{close} ");
+        let place = if found.is_empty() {
+            text[at..].starts_with(&label).then_some(at)
+        } else {
+            let mut next = text[at..].match_indices(&label);
+            let next = next.find(|(place, _)| text[..at + place].ends_with([' ', '\n']));
+            next.map(|(place, _)| at + place)
+        };
+        let Some(place) = place else { break };
+        at = place + label.len() - 1;
+        found.push(place..at);
+    }
+    found
+}
+
+/// Whether a statement comes after each label: `(1) + (2) x` and `1. m + 2. m` are sums.
+fn are_apart(text: &str, labels: &[Range<usize>], close: &str) -> bool {
+    let ends = labels[1..]
+        .iter()
+        .map(|label| label.start)
+        .chain([text.len()]);
+    let mut pieces = labels
+        .iter()
+        .zip(ends)
+        .map(|(label, end)| text[label.end..end].trim());
+    pieces.all(|piece| {
+        let goes_on = piece.ends_with(['+', '-', '*', '/', '=', '<', '>', '(', '^']);
+        let is_statement =
+            piece.contains('=') || piece.starts_with(|first: char| first.is_ascii_digit());
+        // A number with a point is a label only where it can be no factor.
+        let is_sure = close == ")" || is_statement || labels.len() > 2;
+        !piece.is_empty() && !goes_on && is_sure
+    })
+}
