@@ -616,6 +616,45 @@ pub(crate) const EQUATIONS: &[&str] = &["Eq", "sp.Eq", "sympy.Eq", "Equal", "Equ
 /// Words that join values, also where they are set as text within a formula.
 pub(crate) const JOINING: &[&str] = &["and", "or", "et", "ou", "und", "oder", "in", "at", "cis"];
 
+/// Words before the option that is chosen.
+pub(crate) const ANNOUNCEMENTS: &[&str] = &[
+    "the answer is",
+    "answer is",
+    "answer",
+    "option",
+    "choice",
+    "letter",
+    "only",
+];
+
+/// Words that say nothing within an option.
+pub(crate) const ARTICLES: &[&str] = &["the", "a", "an"];
+
+/// Words that deny what an option says, or say more.
+pub(crate) const DENIALS: &[&str] = &[
+    "not", "no", "never", "without", "neither", "nor", "and", "or",
+];
+
+/// What is asked about, as people name it beside their choice.
+pub(crate) const THINGS: &[&str] = &[
+    "motion",
+    "system",
+    "oscillator",
+    "oscillation",
+    "regime",
+    "response",
+    "equilibrium",
+    "position",
+    "damping",
+    "displacement",
+    "coupling",
+    "behind",
+    "case",
+    "it",
+    "this",
+    "they",
+];
+
 /// Modules and objects of programs before the names of functions.
 pub(crate) const MODULES: &[&str] = &[
     "np.linalg.",

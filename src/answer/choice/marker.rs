@@ -9,13 +9,15 @@ use crate::answer::{
 use crate::document::Document;
 use crate::math::Math;
 use crate::numerics::Rational;
+use crate::response::Phrase;
 
 /// The options of a part, whatever the data; places are those of the file.
 #[derive(Debug)]
 pub(crate) struct Options {
     pub(crate) ids: Vec<String>,
-    /// Without regard to case and spacing.
-    pub(crate) words: Vec<String>,
+    pub(crate) words: Vec<Phrase>,
+    /// As they stand in the file, LaTeX included.
+    pub(crate) sources: Vec<Phrase>,
     /// As they are printed.
     pub(crate) texts: Vec<String>,
     pub(crate) feedback: Vec<Option<Document>>,

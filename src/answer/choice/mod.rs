@@ -27,11 +27,14 @@ use self::marker::{Chosen, Options};
 use super::{Answer, AnswerError, Asked, Blank, Choosable, Choosing, Context, Declare, Marker};
 use crate::document::Document;
 use crate::quantity::{Absent, NodeId};
+use crate::response::Phrase;
 use crate::source::{Data, Table, Text, Value};
 
 #[derive(Debug)]
 struct ChoiceAnswer {
     options: Vec<Choosable>,
+    /// As they stand in the file.
+    sources: Vec<String>,
     rights: Vec<Right>,
     feedback: Vec<Option<Document>>,
     /// As they are compared with responses, once one was marked.
@@ -54,10 +57,13 @@ pub(crate) fn read(part: &Table<'_>, declare: &mut dyn Declare) -> Option<Box<dy
     let is_several = part.boolean("several").unwrap_or(false);
     let is_ranking = part.boolean("ranking").unwrap_or(false);
     let shuffles = part.boolean("shuffle").unwrap_or(true);
-    let (mut options, mut rights, mut feedback) = (Vec::<Choosable>::new(), Vec::new(), Vec::new());
+    let (mut options, mut sources) = (Vec::<Choosable>::new(), Vec::new());
+    let (mut rights, mut feedback) = (Vec::new(), Vec::new());
     for table in part.tables("options") {
         let id = table.required_text("id");
-        let text = table.required_text("text").map(|text| declare.text(&text));
+        let source = table.required_text("text");
+        let text = source.as_ref().map(|text| declare.text(text));
+        sources.extend(source.map(|source| source.value));
         rights.push(right(&table, declare)?);
         feedback.push(table.text("feedback").map(|text| declare.text(&text)));
         table.finish();
@@ -88,6 +94,7 @@ pub(crate) fn read(part: &Table<'_>, declare: &mut dyn Declare) -> Option<Box<dy
     }
     Some(Box::new(ChoiceAnswer {
         options,
+        sources,
         rights,
         feedback,
         compared: OnceLock::new(),
@@ -116,12 +123,15 @@ impl ChoiceAnswer {
     fn compared(&self) -> Options {
         let options = self.options.iter();
         let ids = options.clone().map(|option| option.id.clone()).collect();
+        let phrases =
+            |texts: &[String]| texts.iter().map(|text| Phrase::of_printed(text)).collect();
         let texts: Vec<String> = options
             .map(|option| option.text.plain(&no_fills()))
             .collect();
         Options {
             ids,
-            words: texts.iter().map(|text| read::words(text)).collect(),
+            words: phrases(&texts),
+            sources: phrases(&self.sources),
             texts,
             feedback: self.feedback.clone(),
         }

@@ -42,6 +42,30 @@ fn a_letter_is_the_printed_one_whatever_options_are_called() {
 }
 
 #[test]
+fn an_option_may_be_copied_with_its_latex() {
+    let item = item(
+        "",
+        &[
+            (
+                "rate",
+                r"the rate $\mathrm di/\mathrm dt$ of the current",
+                true,
+            ),
+            ("angle", r"the angle $\theta$", false),
+        ],
+    );
+    check(
+        &item,
+        &[
+            (r"the rate $\mathrm di/\mathrm dt$ of the current", "right"),
+            (r"the angle $\theta$", "wrong"),
+            (r"b) the angle $\theta$", "wrong"),
+            (r"the angle $\phi$", "unreadable"),
+        ],
+    );
+}
+
+#[test]
 fn words_are_those_of_an_option_or_how_only_one_begins() {
     let item = item(
         "",
