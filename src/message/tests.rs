@@ -365,6 +365,7 @@ fn reasons() -> Vec<Why> {
         Why::SolveFor(text()),
         Why::NotInInequality(text()),
         Why::BoundsOrder,
+        Why::EndsInWords,
         Why::BoundsAsFormulas,
         Why::BoundsAsNumbers,
         Why::BoundValue,

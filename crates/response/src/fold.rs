@@ -17,6 +17,7 @@ use std::cell::OnceCell;
 use self::alphabets::unstyled;
 use self::latex::Environment;
 use self::plain::{has_barred_numbers, has_cells, is_plain};
+pub(crate) use self::programs::arguments_of_call;
 use self::spaces::OneWidth;
 use self::words::is_shouted;
 use super::signs::{MIDDLE_POINT, Plain, RUNS, begins_run, is_minus, of_char};

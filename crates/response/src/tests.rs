@@ -197,6 +197,110 @@ fn a_datum_printed_with_its_dot_is_read_in_words_and_signs() {
 }
 
 #[test]
+fn ranges_are_read_in_signs_and_words() {
+    let said = |text: &str| {
+        let told = |condition: &Condition<'_>| {
+            let units = condition.units.iter().map(|unit| unit.typed());
+            let units: String = units.map(|unit| format!(" [{unit}]")).collect();
+            let said = match &condition.said {
+                Said::Chain { sides, signs } => {
+                    let sides: Vec<&str> = sides.iter().map(|side| side.typed()).collect();
+                    let signs = signs.iter().map(|sign| match (sign.is_less, sign.is_open) {
+                        (true, true) => "<",
+                        (true, false) => "≤",
+                        (false, true) => ">",
+                        (false, false) => "≥",
+                    });
+                    let mut text = sides[0].to_owned();
+                    for (sign, side) in signs.zip(&sides[1..]) {
+                        text += &format!("{sign}{side}");
+                    }
+                    text
+                }
+                Said::Interval {
+                    subject,
+                    ends,
+                    open,
+                } => {
+                    let subject = subject.map_or("", Side::typed);
+                    let [low, high] = ends.map(Side::typed);
+                    format!("{subject}:{low};{high}{open:?}")
+                }
+            };
+            said + &units
+        };
+        match Ranges::read(&folded(text), DecimalMark::Point) {
+            Ok(Ranges::SideBySide(conditions)) => {
+                let told: Vec<String> = conditions.iter().map(told).collect();
+                told.join(" ? ")
+            }
+            Ok(Ranges::Union(groups)) => {
+                let told = groups.iter().map(|group| {
+                    let told: Vec<String> = group.conditions.iter().map(told).collect();
+                    told.join(" & ")
+                });
+                told.collect::<Vec<_>>().join(" | ")
+            }
+            Err(error) => format!("{error:?}"),
+        }
+    };
+    const CLOSED: &str = "Some([false, false])";
+    for (text, due) in [
+        ("0.1 m <= x < b", "0.1 m≤x<b".to_owned()),
+        ("U >= 3 V", "U≥3 V".to_owned()),
+        (">= 3", "≥3".to_owned()),
+        ("x < 1 or x > 2 and x < 3", "x<1 | x>2 & x<3".to_owned()),
+        ("x > 1, x < 3", "x>1 ? x<3".to_owned()),
+        ("x > 1,5; x < 3", "x>1,5 ? x<3".to_owned()),
+        ("[0, 1]", format!(":0;1{CLOSED}")),
+        (
+            "x \\in \\left]0, 1\\right[",
+            "x:0;1Some([true, true])".to_owned(),
+        ),
+        ("x in [0, 1) m", "x:0;1Some([false, true]) [m]".to_owned()),
+        (
+            "[0, 1[ m U ]2, 3] m",
+            ":0;1Some([false, true]) [m] | :2;3Some([true, false]) [m]".to_owned(),
+        ),
+        (
+            "[0, 1], (2, 3)",
+            format!(":0;1{CLOSED} | :2;3Some([true, true])"),
+        ),
+        ("[0, 1]∪[2, 3]", format!(":0;1{CLOSED} | :2;3{CLOSED}")),
+        ("(1 < x < 2) cm", "1<x<2 [cm]".to_owned()),
+        ("{x | 1 < x}", "1<x".to_owned()),
+        ("Interval(0.2, oo)", format!(":0.2;oo{CLOSED}")),
+        (
+            "Union(Interval(0, 1), Interval.open(2, 3))",
+            format!(":0;1{CLOSED} | :2;3Some([true, true])"),
+        ),
+        (
+            "x in RealRange(Open(0), 1)",
+            "x:0;1Some([true, false])".to_owned(),
+        ),
+        ("Interval[{0, 1}]", format!(":0;1{CLOSED}")),
+        ("from 0.2 to 0.5 m", ":0.2;0.5 mNone".to_owned()),
+        (
+            "x between 1 and 2 or from 3 to 4",
+            "x:1;2None | :3;4None".to_owned(),
+        ),
+        ("zwischen 1 und 2", ":1;2None".to_owned()),
+        ("von 1 bis 2", ":1;2None".to_owned()),
+        ("x = 0.2 … 0.5", "x:0.2;0.5None".to_owned()),
+        ("1e-3-2e-3", ":1e-3;2e-3None".to_owned()),
+        ("from 0.2 on", "≥0.2".to_owned()),
+        ("0.2 or more", "≥0.2".to_owned()),
+        ("x < ", "x<".to_owned()),
+        ("", "Missing".to_owned()),
+        ("0.3", "NoCondition(Side(\"0.3\"))".to_owned()),
+        ("[0, 1", "Bracket".to_owned()),
+        ("[0, 1, 2]", "TwoEnds".to_owned()),
+    ] {
+        assert_eq!(said(text), due, "{text}");
+    }
+}
+
+#[test]
 fn simple_latex_is_read() {
     for (text, expected) in [
         ("\\frac{k}{m}", "k/m"),

@@ -655,6 +655,41 @@ pub(crate) const THINGS: &[&str] = &[
     "they",
 ];
 
+/// Words before a condition.
+pub(crate) const CONDITIONS: &[&str] = &["for", "if", "when", "whenever", "only if", "wenn"];
+
+/// Words around the two ends of a range.
+pub(crate) const RANGES: &[(&str, &str)] = &[
+    ("from ", " to "),
+    ("between ", " and "),
+    ("von ", " bis "),
+    ("zwischen ", " and "),
+    ("entre ", " and "),
+    ("de ", " à "),
+];
+
+/// What comes after the lower end of a range that has no upper one.
+pub(crate) const UNBOUNDED: &[&str] = &[
+    " on",
+    " onwards",
+    " upwards",
+    " to ∞",
+    " to infinity",
+    " to inf",
+];
+
+/// What comes after the one end of a range, and whether that is the upper one.
+pub(crate) const ONWARDS: &[(&str, bool)] = &[
+    (" or more", false),
+    (" or greater", false),
+    (" or larger", false),
+    (" or above", false),
+    (" or less", true),
+    (" or smaller", true),
+    (" or lower", true),
+    (" or below", true),
+];
+
 /// Modules and objects of programs before the names of functions.
 pub(crate) const MODULES: &[&str] = &[
     "np.linalg.",

@@ -7,13 +7,14 @@ use super::{Written, compared, is_infinite};
 use crate::answer::numeric;
 use crate::answer::{Misfit, Unreadable, Why};
 use crate::expr::{Expr, Kind, Workspace};
-use crate::response::{self, Manner};
+use crate::response::{Manner, Side};
 use crate::unit::{Quantity, Unit};
 
 impl Ends<'_> {
     /// The value of a bound in SI units.
-    pub(crate) fn side(&self, side: &str, unit: &mut Option<Unit>) -> Read<f64> {
-        let number = self.number(side, unit);
+    pub(crate) fn side(&self, side: Side<'_>, unit: &mut Option<Unit>) -> Read<f64> {
+        let typed = side.typed();
+        let number = self.number(typed, unit);
         // Of `√(2km)` the letters could be a unit, kilometres, that does not fit.
         let is_formula = number.is_err() && self.fits_in_letters(side);
         if !is_formula && let Some(number) = number? {
@@ -37,21 +38,21 @@ impl Ends<'_> {
         }
         let found = expr
             .check(&self.setup.meaning)
-            .map_err(|errors| Unreadable::at(side, Why::Dimension(errors.first().cloned())))?;
+            .map_err(|errors| Unreadable::at(typed, Why::Dimension(errors.first().cloned())))?;
         let has_names = !expr.names().free.is_empty();
         if self.setup.written == Written::Number && has_names {
             return Err(Why::BoundsAsNumbers.into());
         }
         if has_names && !found.fits(&compared(self.setup)) {
             return Err(Misfit::Bound {
-                typed: side.to_owned(),
+                typed: typed.to_owned(),
                 read: self.setup.lexicon.written(&expr),
                 symbol,
             }
             .into());
         }
         let value = self.value(&expr);
-        let value = value.ok_or_else(|| Unreadable::at(side, Why::BoundValue))?;
+        let value = value.ok_or_else(|| Unreadable::at(typed, Why::BoundValue))?;
         Ok(if has_names {
             value
         } else {
@@ -60,7 +61,7 @@ impl Ends<'_> {
     }
 
     /// Whether a bound is a formula with letters of the question that has the dimension of what is asked.
-    fn fits_in_letters(&self, side: &str) -> bool {
+    fn fits_in_letters(&self, side: Side<'_>) -> bool {
         self.formula(side).is_ok_and(|expr| {
             let found = expr.check(&self.setup.meaning);
             !expr.names().free.is_empty()
@@ -100,15 +101,14 @@ impl Ends<'_> {
         Some(other.unwrap_or(first))
     }
 
-    pub(crate) fn formula(&self, side: &str) -> Result<Expr, Unreadable> {
+    pub(crate) fn formula(&self, side: Side<'_>) -> Result<Expr, Unreadable> {
         let manner = Manner {
             comma_is_decimal: true,
             has_imaginary_unit: false,
             values: None,
         };
-        response::formula(side, &self.setup.lexicon, manner)
-            .map(|typed| typed.value)
-            .map_err(|error| Unreadable::typed(&error, side))
+        side.formula(&self.setup.lexicon, manner)
+            .map_err(|error| Unreadable::typed(&error, side.typed()))
     }
 
     /// The value of a formula in SI units.

@@ -18,7 +18,6 @@
 mod bound;
 mod read;
 mod set;
-mod spelling;
 mod subject;
 
 use std::cell::Cell;

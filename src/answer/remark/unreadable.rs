@@ -173,6 +173,8 @@ pub enum Why {
     NotInInequality(String),
     /// Bounds in the wrong order.
     BoundsOrder,
+    /// Words say between which bounds, and it counts whether these belong to the interval.
+    EndsInWords,
     /// Bounds as formulas, where they are asked so.
     BoundsAsFormulas,
     /// Bounds as numbers, where they are asked so.

@@ -144,6 +144,9 @@ fn why(why: &Why) -> String {
         Why::SolveForDistance(symbol) => format!("solve for `{symbol}` or `|{symbol}|` first."),
         Why::SolveFor(symbol) => format!("solve for `{symbol}` first."),
         Why::NotInInequality(symbol) => format!("`{symbol}` does not occur in this inequality."),
+        Why::EndsInWords => {
+            "such a range does not say whether its ends belong to it, and that counts here.".to_owned()
+        }
         Why::BoundsOrder => "the lower bound is above the upper one.".to_owned(),
         Why::BoundsAsFormulas => "give the bounds as formulas in symbols.".to_owned(),
         Why::BoundsAsNumbers => "give the bounds as numbers.".to_owned(),

@@ -141,6 +141,9 @@ fn why(why: &Why) -> String {
         Why::SolveForDistance(symbol) => format!("isolez d’abord `{symbol}` ou `|{symbol}|`."),
         Why::SolveFor(symbol) => format!("isolez d’abord `{symbol}`."),
         Why::NotInInequality(symbol) => format!("`{symbol}` ne figure pas dans cette inégalité."),
+        Why::EndsInWords => {
+            "cela ne dit pas si les bornes en font partie, ce qui compte ici.".to_owned()
+        }
         Why::BoundsOrder => "la borne inférieure dépasse la borne supérieure.".to_owned(),
         Why::BoundsAsFormulas => "donnez les bornes par des formules littérales.".to_owned(),
         Why::BoundsAsNumbers => "donnez les bornes par des nombres.".to_owned(),

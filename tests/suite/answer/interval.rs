@@ -35,6 +35,7 @@ fn one_bound() {
             ("0 <= mu <= 0.326", "wrong mistake-1"),
             ("mu >= 0.4", "wrong"),
             ("0.326", "unreadable"),
+            ("from 0.326 to 0.9", "unreadable: whether its ends belong"),
             ("x > 2", "unreadable"),
             ("", "missing"),
         ],

@@ -1,0 +1,481 @@
+//! What a response says of the values of a quantity: intervals, chains of inequalities, ranges in words.
+//!
+//! ```text
+//! ranges    = [ "for" | "if" | … ] union | "{" side ( "|" | ":" ) union "}" | chain { ( "," | ";" ) chain }
+//! union     = common { ( "∪" | "or" | "," between brackets ) common }
+//! common    = condition { ( "∩" | "and" ) condition }
+//! condition = chain | interval | "(" condition ")" [ unit ]
+//! chain     = side relation side { relation side }
+//! interval  = [ side ( "∈" | "=" | ":" ) ] ( "[" | "(" | "]" ) side ( "," | ";" ) side ( "]" | ")" | "[" ) [ unit ]
+//!           | [ side ] "from" side "to" side | [ side ] "between" side "and" side | side "…" side
+//! ```
+
+mod marks;
+
+use std::ops::Range;
+
+use self::marks::{CALLS, Mark, Marked, marks};
+use super::list::{cut, trimmed};
+use super::words::{CONDITIONS, ONWARDS, RANGES, UNBOUNDED};
+use super::{Lexicon, MAX_LENGTH, Manner, TypedError, formula};
+use vibank_formula::expr::Expr;
+use vibank_formula::unit::DecimalMark;
+use vibank_source::Span;
+
+/// The values that a response leaves to a quantity.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Ranges<'t> {
+    /// Those that meet all conditions of a group.
+    Union(Vec<Group<'t>>),
+    /// Inequalities that nothing joins.
+    SideBySide(Vec<Condition<'t>>),
+}
+
+/// Conditions that hold together.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Group<'t> {
+    /// All of them.
+    pub typed: &'t str,
+    /// At least one.
+    pub conditions: Vec<Condition<'t>>,
+}
+
+/// A condition, with the units that come after brackets around it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Condition<'t> {
+    /// The outermost first.
+    pub units: Vec<Side<'t>>,
+    /// What is said.
+    pub said: Said<'t>,
+}
+
+/// What a condition says.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Said<'t> {
+    /// Sides with one sign fewer between them; before the sign of one bound nothing may stand.
+    Chain {
+        /// What is compared.
+        sides: Vec<Side<'t>>,
+        /// The signs in between.
+        signs: Vec<Bounding>,
+    },
+    /// That something lies within an interval.
+    Interval {
+        /// What lies there, if that is said.
+        subject: Option<Side<'t>>,
+        /// The lower and the upper end.
+        ends: [Side<'t>; 2],
+        /// Whether each end is left out; none where words do not say.
+        open: Option<[bool; 2]>,
+    },
+}
+
+/// A sign between sides.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Bounding {
+    /// Whether the side before it is the lower one.
+    pub is_less: bool,
+    /// Whether equality is left out.
+    pub is_open: bool,
+}
+
+/// A bound, or what is bounded.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Side<'t>(&'t str);
+
+impl<'t> Side<'t> {
+    fn of(text: &'t str) -> Self {
+        Self(text.trim())
+    }
+
+    /// As it was typed.
+    pub fn typed(self) -> &'t str {
+        self.0
+    }
+
+    /// Whether nothing was typed.
+    pub fn is_empty(self) -> bool {
+        self.0.is_empty()
+    }
+
+    /// The formula that it is.
+    ///
+    /// # Errors
+    ///
+    /// What cannot be read.
+    pub fn formula(self, lexicon: &Lexicon, manner: Manner) -> Result<Expr, TypedError> {
+        formula(self.0, lexicon, manner).map(|typed| typed.value)
+    }
+}
+
+/// Why a response says nothing of values.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum RangeError<'t> {
+    /// It is too long.
+    TooLong,
+    /// Nothing stands where a condition is due.
+    Missing,
+    /// What neither a sign nor a bracket makes a condition of.
+    NoCondition(Side<'t>),
+    /// The bracket of an interval is missing.
+    Bracket,
+    /// An interval has another number of ends than two.
+    TwoEnds,
+}
+
+type Read<'t, T> = Result<T, RangeError<'t>>;
+
+impl<'t> Ranges<'t> {
+    /// Reads a response whose numbers have this decimal sign.
+    ///
+    /// # Errors
+    ///
+    /// Where it is something else.
+    pub fn read(text: &'t str, mark: DecimalMark) -> Read<'t, Self> {
+        if text.len() > MAX_LENGTH {
+            return Err(RangeError::TooLong);
+        }
+        let end = text.trim_end_matches(|char: char| char.is_whitespace() || ".,;".contains(char));
+        let mut text = without_brackets(end.trim());
+        text = condition_of_set(text).unwrap_or(text);
+        let behind = |word: &str| text.strip_prefix(word)?.strip_prefix(' ');
+        text = CONDITIONS
+            .iter()
+            .find_map(|word| behind(word))
+            .unwrap_or(text);
+        let union = text
+            .strip_prefix("Union(")
+            .and_then(|text| text.strip_suffix(')'));
+        text = union.unwrap_or(text);
+        let marks = marks(text);
+        if let Some(groups) = in_words(text, &marks) {
+            return Ok(Self::Union(groups));
+        }
+        let reader = Reader { text, marks, mark };
+        let all = Span::new(0, text.len());
+        if let Some(pieces) = reader.side_by_side(all) {
+            let conditions = pieces.into_iter().map(|piece| reader.condition(piece));
+            return conditions.collect::<Read<'t, _>>().map(Self::SideBySide);
+        }
+        let group = |span: Span| {
+            let conditions = reader.parted(span, |mark| mark == Mark::And).into_iter();
+            Ok(Group {
+                typed: text[span.range()].trim(),
+                conditions: conditions
+                    .map(|span| reader.condition(span))
+                    .collect::<Read<'t, _>>()?,
+            })
+        };
+        let groups = reader.parted(all, |mark| mark == Mark::Or).into_iter();
+        groups.map(group).collect::<Read<'t, _>>().map(Self::Union)
+    }
+}
+
+struct Reader<'t> {
+    text: &'t str,
+    marks: Vec<Marked>,
+    mark: DecimalMark,
+}
+
+impl<'t> Reader<'t> {
+    fn side(&self, range: Range<usize>) -> Side<'t> {
+        Side::of(&self.text[range])
+    }
+
+    fn within(&self, span: Span) -> impl Iterator<Item = &Marked> {
+        let (start, end) = (span.range().start, span.range().end);
+        self.marks
+            .iter()
+            .filter(move |own| start <= own.at.start && own.at.end <= end)
+    }
+
+    /// The pieces of a part between marks.
+    fn parted(&self, span: Span, parts: impl Fn(Mark) -> bool) -> Vec<Span> {
+        let (mut pieces, mut start) = (Vec::new(), span.range().start);
+        for own in self.within(span).filter(|own| parts(own.mark)) {
+            pieces.push(Span::new(start, own.at.start));
+            start = own.at.end;
+        }
+        pieces.push(Span::new(start, span.range().end));
+        pieces
+    }
+
+    fn relates(&self, span: Span) -> bool {
+        self.within(span)
+            .any(|own| matches!(own.mark, Mark::Sign(_)))
+    }
+
+    /// Inequalities that commas or semicolons part, and nothing joins.
+    fn side_by_side(&self, all: Span) -> Option<Vec<Span>> {
+        let are_joined = self
+            .within(all)
+            .any(|own| matches!(own.mark, Mark::Or | Mark::And));
+        let mut depth = 0_i32;
+        let (mut pieces, mut start) = (Vec::new(), 0);
+        for own in &self.marks {
+            match own.mark {
+                Mark::Bracket('(' | '[' | '{') => depth += 1,
+                Mark::Bracket(_) => depth = (depth - 1).max(0),
+                Mark::Part { is_decimal: false } if depth == 0 => {
+                    pieces.push(Span::new(start, own.at.start));
+                    start = own.at.end;
+                }
+                _ => {}
+            }
+        }
+        pieces.push(Span::new(start, all.range().end));
+        let are_all = pieces.len() > 1 && pieces.iter().all(|piece| self.relates(*piece));
+        (are_all && !are_joined).then_some(pieces)
+    }
+
+    fn condition(&self, span: Span) -> Read<'t, Condition<'t>> {
+        let (mut span, mut units) = (trimmed(self.text, span), Vec::new());
+        if span.range().is_empty() {
+            return Err(RangeError::Missing);
+        }
+        while let Some((inner, behind)) = self.unbracketed(span) {
+            units.extend(Some(self.side(behind)).filter(|unit| !unit.is_empty()));
+            span = inner;
+        }
+        let sign = |own: &Marked| match own.mark {
+            Mark::Sign(sign) => Some(sign),
+            _ => None,
+        };
+        let signs: Vec<Bounding> = self.within(span).filter_map(sign).collect();
+        let said = if signs.is_empty() {
+            self.interval(span, &mut units)?
+        } else {
+            let sides = self.parted(span, |mark| matches!(mark, Mark::Sign(_)));
+            let sides = sides
+                .into_iter()
+                .map(|side| self.side(side.range()))
+                .collect();
+            Said::Chain { sides, signs }
+        };
+        Ok(Condition { units, said })
+    }
+
+    /// What stands in brackets around a whole condition, and what follows them.
+    fn unbracketed(&self, span: Span) -> Option<(Span, Range<usize>)> {
+        let start = span.range().start;
+        let mut depth = 0_usize;
+        let close = self.within(span).find(|own| {
+            match own.mark {
+                Mark::Bracket('(' | '[') => depth += 1,
+                Mark::Bracket(')' | ']') => depth = depth.saturating_sub(1),
+                _ => {}
+            }
+            depth == 0
+        })?;
+        let opens = self.text[start..].starts_with('(') && close.at.start > start;
+        let (inner, behind) = (
+            Span::new(start + 1, close.at.start.max(start + 1)),
+            close.at.end..span.range().end,
+        );
+        let is_whole =
+            opens && self.relates(inner) && !self.relates(Span::new(behind.start, behind.end));
+        is_whole.then(|| (trimmed(self.text, inner), behind))
+    }
+
+    /// `[a, b)`, `]a; b]`, `x in [a, b]`, and the calls of programs for such.
+    fn interval(&self, span: Span, units: &mut Vec<Side<'t>>) -> Read<'t, Said<'t>> {
+        let (start, end) = (span.range().start, span.range().end);
+        if let Some(called) = self.called(span) {
+            return called;
+        }
+        let opens = |own: &&Marked| matches!(own.mark, Mark::Bracket('[' | '(' | ']'));
+        let open = self.within(span).find(opens);
+        let open = open.ok_or(RangeError::NoCondition(self.side(span.range())))?;
+        let closes = |own: &&Marked| matches!(own.mark, Mark::Bracket(']' | ')' | '['));
+        let last = self.within(span).filter(closes).last();
+        let close = last
+            .filter(|last| last.at.start > open.at.start)
+            .ok_or(RangeError::Bracket)?;
+        let unit = self.side(close.at.end..end);
+        units.extend(Some(unit).filter(|unit| !unit.is_empty()));
+        Ok(Said::Interval {
+            subject: self.subject(start..open.at.start),
+            ends: self.ends(Span::new(open.at.end, close.at.start))?,
+            open: Some([
+                open.mark != Mark::Bracket('['),
+                close.mark != Mark::Bracket(']'),
+            ]),
+        })
+    }
+
+    /// What stands before an interval, without the sign that says that it lies there.
+    fn subject(&self, lead: Range<usize>) -> Option<Side<'t>> {
+        let lead = Span::new(lead.start, lead.end);
+        let element = self
+            .within(lead)
+            .filter(|own| own.mark == Mark::Element)
+            .last();
+        let is_last = |own: &&Marked| self.side(own.at.end..lead.range().end).is_empty();
+        let end = element
+            .filter(is_last)
+            .map_or(lead.range().end, |own| own.at.start);
+        let typed = self.side(lead.range());
+        let own = self.text[lead.range().start..end].trim_end();
+        let own = Side::of(own.trim_end_matches(['=', ':']));
+        (!typed.is_empty()).then_some(own)
+    }
+
+    /// The two ends of an interval: a comma parts them unless a semicolon does.
+    fn ends(&self, body: Span) -> Read<'t, [Side<'t>; 2]> {
+        let mut ends = cut(self.text, body, &[';']);
+        if ends.len() == 1 {
+            let spaced = self.text[body.range()].find(", ");
+            ends = match spaced.filter(|_| self.mark == DecimalMark::Comma) {
+                Some(at) => {
+                    let at = body.range().start + at;
+                    vec![
+                        Span::new(body.range().start, at),
+                        Span::new(at + 1, body.range().end),
+                    ]
+                }
+                None => cut(self.text, body, &[',']),
+            };
+        }
+        match ends[..] {
+            [low, high] => Ok([low, high].map(|end| self.side(end.range()))),
+            _ => Err(RangeError::TwoEnds),
+        }
+    }
+
+    /// `Interval(0.2, oo)` of SymPy, `Interval[{0.2, 1}]` of Mathematica, `RealRange(Open(0.2), 1)` of Maple.
+    fn called(&self, span: Span) -> Option<Read<'t, Said<'t>>> {
+        let text = &self.text[span.range()];
+        let start = span.range().start;
+        let found = CALLS
+            .iter()
+            .find_map(|(name, open)| Some((start + text.find(name)?, *name, *open)));
+        let (at, name, mut open) = found?;
+        let body = at + name.len();
+        let close = super::fold::arguments_of_call(&self.text[body..span.range().end]).0?;
+        let ends = match self.ends(Span::new(body, body + close)) {
+            Ok(ends) => ends,
+            Err(error) => return Some(Err(error)),
+        };
+        let opened =
+            |end: Side<'t>| Some(Side::of(end.0.strip_prefix("Open(")?.strip_suffix(')')?));
+        for (end, open) in ends.iter().zip(&mut open) {
+            *open |= opened(*end).is_some();
+        }
+        Some(Ok(Said::Interval {
+            subject: self.subject(start..at),
+            ends: ends.map(|end| opened(end).unwrap_or(end)),
+            open: Some(open),
+        }))
+    }
+}
+
+/// An answer without the brackets around all of it.
+fn without_brackets(text: &str) -> &str {
+    let inner = text
+        .strip_prefix('(')
+        .and_then(|text| text.strip_suffix(')'));
+    let inner = inner.filter(|inner| relates(inner) && !inner.contains(['(', ')']));
+    inner.unwrap_or(text)
+}
+
+fn relates(text: &str) -> bool {
+    text.contains(['<', '>', '≤', '≥'])
+}
+
+/// The condition of a set in braces, `{x | 0 < x < 3}`.
+fn condition_of_set(text: &str) -> Option<&str> {
+    let inner = text.strip_prefix('{')?.strip_suffix('}')?;
+    let (element, condition) = inner.split_once(['|', ':'])?;
+    (!relates(element) && (relates(condition) || condition.contains('∈'))).then_some(condition)
+}
+
+/// Ranges in words that joints part, where no sign says what the values are.
+fn in_words<'t>(text: &'t str, marks: &[Marked]) -> Option<Vec<Group<'t>>> {
+    if text.contains(['<', '>', '≤', '≥', '[', ']', '∈']) {
+        return None;
+    }
+    if let Some(said) = onwards(text) {
+        return Some(vec![group(text, said)]);
+    }
+    let (mut groups, mut start) = (Vec::new(), 0);
+    let parts = |own: &&Marked| match own.mark {
+        Mark::Or => true,
+        // `between 1 and 2 and from 4 to 5`
+        Mark::And => text[own.at.end..].trim_start().starts_with("from "),
+        _ => false,
+    };
+    let ends = marks.iter().filter(parts).map(|own| own.at.clone());
+    for joint in ends.chain([text.len()..text.len()]) {
+        let own = text[start..joint.start].trim();
+        groups.push(group(own, range(own)?));
+        start = joint.end;
+    }
+    Some(groups)
+}
+
+fn group<'t>(typed: &'t str, said: Said<'t>) -> Group<'t> {
+    let units = Vec::new();
+    Group {
+        typed,
+        conditions: vec![Condition { units, said }],
+    }
+}
+
+/// `0.2 or more`, `from 0.2 on`, `x from 0.2 to infinity`.
+fn onwards(text: &str) -> Option<Said<'_>> {
+    let chain = |lead, is_less, bound| Said::Chain {
+        sides: vec![Side::of(lead), Side::of(bound)],
+        signs: vec![Bounding {
+            is_less,
+            is_open: false,
+        }],
+    };
+    let from = text.split_once("from ").and_then(|(lead, bound)| {
+        let bound = UNBOUNDED.iter().find_map(|end| bound.strip_suffix(end))?;
+        Some(chain(lead, false, bound))
+    });
+    from.or_else(|| {
+        let mut found = ONWARDS.iter();
+        found.find_map(|(words, is_less)| Some(chain("", *is_less, text.strip_suffix(words)?)))
+    })
+}
+
+/// `from 0.2 to 0.5 m`, `x between 0.2 and 0.5`, `0.2 … 0.5` and `0.2-0.5`.
+fn range(text: &str) -> Option<Said<'_>> {
+    const SIGNS: [&str; 4] = [" to ", "…", "...", ".."];
+    let in_words = RANGES.iter().find_map(|(word, join)| {
+        let (lead, ends) = text.split_once(word)?;
+        let (low, high) = ends.split_once(join)?;
+        Some((lead, low, high))
+    });
+    let in_signs = || {
+        let (lead, ends) = text.rsplit_once(['=', ':']).unwrap_or(("", text));
+        let is_value = |end: &str| {
+            let unsigned = end.trim().trim_start_matches(['-', '+']);
+            unsigned.starts_with(|first: char| first.is_ascii_digit() || first == '.')
+        };
+        let joined = SIGNS.iter().find_map(|sign| ends.split_once(sign));
+        let (low, high) = joined.or_else(|| dashed(ends.trim()))?;
+        (is_value(low) && is_value(high)).then_some((lead, low, high))
+    };
+    let (lead, low, high) = in_words.or_else(in_signs)?;
+    let lead = Side::of(lead.trim().trim_end_matches(['=', ':']));
+    Some(Said::Interval {
+        subject: Some(lead).filter(|lead| !lead.is_empty()),
+        ends: [Side::of(low), Side::of(high)],
+        open: None,
+    })
+}
+
+/// The values around a dash, `0.2 m-0.5 m`, which is no sign of an exponent.
+fn dashed(text: &str) -> Option<(&str, &str)> {
+    let joins = |(at, _): &(usize, &str)| {
+        let before = text[..*at].trim_end();
+        let is_exponent = before.strip_suffix(['e', 'E']).is_some_and(|before| {
+            before.ends_with(|last: char| last.is_ascii_digit() || last == '.')
+        });
+        before.ends_with(char::is_alphanumeric) && !is_exponent
+    };
+    let (at, dash) = text.match_indices('-').find(joins)?;
+    Some((&text[..at], &text[at + dash.len()..]))
+}
