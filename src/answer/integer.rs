@@ -245,12 +245,7 @@ impl Whole {
     }
 
     fn formula(&self, text: &str) -> Option<(Expr, f64)> {
-        let manner = Manner {
-            comma_is_decimal: true,
-            has_imaginary_unit: false,
-            values: None,
-        };
-        let typed = response::formula(text, &self.symbols.lexicon, manner).ok()?;
+        let typed = response::formula(text, &self.symbols.lexicon, Manner::REAL).ok()?;
         let names: Vec<&str> = self
             .symbols
             .names

@@ -62,6 +62,7 @@ mod nothing;
 mod number;
 mod parser;
 mod phrase;
+mod pieces;
 mod ranges;
 mod sides;
 mod signs;
@@ -85,6 +86,7 @@ pub use lexicon::Lexicon;
 pub use list::{Listed, Wanted, cut, cut_where, list_of_form};
 pub use nothing::unit_of_zero;
 pub use phrase::Phrase;
+pub use pieces::{FunctionPiece, function_pieces};
 pub use ranges::{Bounding, Condition, Group, RangeError, Ranges, Said, Side};
 pub use sides::{described, sides, statement};
 pub use surroundings::{behind_arrow, withdrawn};
@@ -111,6 +113,20 @@ pub struct Manner {
     pub has_imaginary_unit: bool,
     /// For values: units come after numbers, and decimals are exact, with this decimal sign.
     pub values: Option<DecimalMark>,
+}
+
+impl Manner {
+    /// For formulas of real numbers.
+    pub const REAL: Self = Self {
+        comma_is_decimal: true,
+        has_imaginary_unit: false,
+        values: None,
+    };
+    /// For formulas of complex numbers.
+    pub const COMPLEX: Self = Self {
+        has_imaginary_unit: true,
+        ..Self::REAL
+    };
 }
 
 /// What was read.

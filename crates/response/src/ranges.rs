@@ -15,7 +15,7 @@ mod marks;
 use std::ops::Range;
 
 use self::marks::{CALLS, Mark, Marked, marks};
-use super::list::{cut, trimmed};
+use super::list::{cut, cut_where, trimmed};
 use super::words::{CONDITIONS, ONWARDS, RANGES, UNBOUNDED};
 use super::{Lexicon, MAX_LENGTH, Manner, TypedError, formula};
 use vibank_formula::expr::Expr;
@@ -79,12 +79,12 @@ pub struct Bounding {
     pub is_open: bool,
 }
 
-/// A bound, or what is bounded.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+/// A side of a statement: a bound, what is bounded, a function, its condition.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Side<'t>(&'t str);
 
 impl<'t> Side<'t> {
-    fn of(text: &'t str) -> Self {
+    pub(crate) fn of(text: &'t str) -> Self {
         Self(text.trim())
     }
 
@@ -207,23 +207,14 @@ impl<'t> Reader<'t> {
 
     /// Inequalities that commas or semicolons part, and nothing joins.
     fn side_by_side(&self, all: Span) -> Option<Vec<Span>> {
-        let are_joined = self
-            .within(all)
-            .any(|own| matches!(own.mark, Mark::Or | Mark::And));
-        let mut depth = 0_i32;
-        let (mut pieces, mut start) = (Vec::new(), 0);
-        for own in &self.marks {
-            match own.mark {
-                Mark::Bracket('(' | '[' | '{') => depth += 1,
-                Mark::Bracket(_) => depth = (depth - 1).max(0),
-                Mark::Part { is_decimal: false } if depth == 0 => {
-                    pieces.push(Span::new(start, own.at.start));
-                    start = own.at.end;
-                }
-                _ => {}
-            }
-        }
-        pieces.push(Span::new(start, all.range().end));
+        let is_digit = |char: char| char.is_ascii_digit();
+        let pieces = cut_where(self.text, all, |at, char| {
+            let is_decimal =
+                || self.text[..at].ends_with(is_digit) && self.text[at + 1..].starts_with(is_digit);
+            char == ';' || char == ',' && !is_decimal()
+        });
+        let mut marks = self.marks.iter();
+        let are_joined = marks.any(|own| matches!(own.mark, Mark::Or | Mark::And));
         let are_all = pieces.len() > 1 && pieces.iter().all(|piece| self.relates(*piece));
         (are_all && !are_joined).then_some(pieces)
     }
@@ -405,7 +396,7 @@ fn in_words<'t>(text: &'t str, marks: &[Marked]) -> Option<Vec<Group<'t>>> {
         _ => false,
     };
     let ends = marks.iter().filter(parts).map(|own| own.at.clone());
-    for joint in ends.chain([text.len()..text.len()]) {
+    for joint in ends.chain(std::iter::once(text.len()..text.len())) {
         let own = text[start..joint.start].trim();
         groups.push(group(own, range(own)?));
         start = joint.end;

@@ -4,12 +4,6 @@ use crate::expr::{Expr, Name, Normal, Relation};
 use crate::math::symbol;
 use crate::response::{self, Folded, Lexicon, Manner};
 
-const MANNER: Manner = Manner {
-    comma_is_decimal: true,
-    has_imaginary_unit: false,
-    values: None,
-};
-
 /// A formula, or a comparison of formulas, in letters that mean nothing.
 pub(crate) struct Formula {
     sides: Vec<Normal>,
@@ -23,10 +17,11 @@ impl Formula {
         let text = folded.text().trim();
         let lexicon = lexicon(text)?;
         let normal = |side: &Expr| Normal::of(side).ok();
-        let (sides, relations) = match response::chain(text, 0, text.len(), &lexicon, MANNER) {
+        let (sides, relations) = match response::chain(text, 0, text.len(), &lexicon, Manner::REAL)
+        {
             Ok(chain) => (chain.value.sides, chain.value.relations),
             Err(_) => {
-                let formula = response::formula(text, &lexicon, MANNER).ok()?.value;
+                let formula = response::formula(text, &lexicon, Manner::REAL).ok()?.value;
                 (vec![formula], Vec::new())
             }
         };

@@ -9,18 +9,13 @@ use crate::response::{self, Chain, Manner, Trouble, equations, unit_of_zero};
 impl Setup {
     /// The equations that a response is.
     pub(crate) fn read(&self, response: &str) -> Result<Vec<Equation>, Unreadable> {
-        let manner = Manner {
-            comma_is_decimal: true,
-            has_imaginary_unit: false,
-            values: None,
-        };
         let mut found = Vec::new();
         for place in equations(response) {
             let (from, to) = (place.range().start, place.range().end);
             if let Some(why) = beside_the_point(&response[place.range()]) {
                 return Err(why);
             }
-            let chain = response::chain(response, from, to, &self.lexicon, manner);
+            let chain = response::chain(response, from, to, &self.lexicon, Manner::REAL);
             let chain = chain.map_err(|error| match error.trouble {
                 Trouble::NoRelation => Why::NoEquation.into(),
                 _ => Unreadable::typed(&error, response),

@@ -1,10 +1,9 @@
 //! What stands before the equals signs of a function: its name, that of another, or other forms of it.
 
-use super::around::MANNER;
 use crate::answer::{Declare, Role, Unreadable, Why};
 use crate::expr::{Expr, Kind, Name};
 use crate::math::{Math, symbol};
-use crate::response::{self, Lexicon, cut, is_dotted};
+use crate::response::{self, Lexicon, Manner, cut, is_dotted};
 use crate::source::{Span, lower};
 
 /// The names that can stand before an equals sign.
@@ -140,7 +139,7 @@ impl Labels {
     /// What the text before an equals sign is; `x(t) [m]` has its unit after it.
     fn side(&self, text: &str) -> Result<Side, Unreadable> {
         let text = without_unit(text);
-        let typed = response::formula(text, &self.lexicon, MANNER);
+        let typed = response::formula(text, &self.lexicon, Manner::REAL);
         let value = typed
             .map_err(|error| Unreadable::typed(&error, text))?
             .value;

@@ -38,7 +38,6 @@
 //! ask        = "Find the general solution."
 //! ```
 
-mod around;
 mod general;
 mod label;
 mod late;

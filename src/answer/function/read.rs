@@ -1,13 +1,12 @@
 //! Reads a function: with numbers in SI units, with units, or in letters.
 
-use super::around::{FunctionPiece, MANNER, condition, pieces};
 use super::marker::{Prepared, Response};
 use super::slip::without_waves;
 use super::units::{contains_letter, measured, without_rates, without_words};
 use crate::answer::{Answered, Reading, Unreadable, Why};
 use crate::expr::{Expr, Function, Kind};
 use crate::math::Math;
-use crate::response::{self, Manner, Typed, TypedError};
+use crate::response::{self, FunctionPiece, Manner, Side, Typed, TypedError, function_pieces};
 use crate::unit::Unit;
 
 impl Prepared<'_> {
@@ -16,11 +15,11 @@ impl Prepared<'_> {
         let labels = &self.setup.labels;
         let renamed = self.of_own_variable(response);
         let response = renamed.as_deref().unwrap_or(response);
-        let pieces = pieces(response);
+        let pieces = function_pieces(response);
         let (first, others) = match &pieces[..] {
             [] => (response, &[][..]),
-            [one] => (labels.asked(one.formula)?, &[][..]),
-            [first, ..] => (first.formula, &pieces[1..]),
+            [one] => (labels.asked(one.formula.typed())?, &[][..]),
+            [first, ..] => (first.formula.typed(), &pieces[1..]),
         };
         let (last, forms) = labels.forms(first)?;
         let mut read = self.function(last.trim())?;
@@ -34,9 +33,9 @@ impl Prepared<'_> {
                 ..
             },
         ] = &pieces[..]
-            && self.is_mostly_excluded(condition)
+            && self.is_mostly_excluded(*condition)
         {
-            return Err(Unreadable::at(*condition, Why::OutsideOfSpan));
+            return Err(Unreadable::at(condition.typed(), Why::OutsideOfSpan));
         }
         for form in &forms {
             let same = self
@@ -63,9 +62,11 @@ impl Prepared<'_> {
 
     /// Whether a condition excludes more than half of the span, `t < 0`; a bound that is rounded excludes less, and what
     /// is said of anything else but the variable excludes nothing.
-    fn is_mostly_excluded(&self, text: &str) -> bool {
+    fn is_mostly_excluded(&self, condition: Side<'_>) -> bool {
         let excluded = || {
-            let holds = condition(text, &self.setup.lexicon).ok()?;
+            let holds = condition
+                .comparison(&self.setup.lexicon, Manner::REAL)
+                .ok()?;
             let marked = Kind::If(holds, Expr::number(1), Expr::number(0));
             let values = self.values_of(&Expr::derived(marked))?;
             let excluded = values.iter().filter(|value| **value == 0.0).count();
@@ -78,14 +79,14 @@ impl Prepared<'_> {
     fn by_pieces(
         &self,
         first: Response,
-        holds: Option<&str>,
+        holds: Option<Side<'_>>,
         others: &[FunctionPiece<'_>],
     ) -> Result<Response, Unreadable> {
         let lexicon = &self.setup.lexicon;
         let Some((next, rest)) = others.split_first() else {
             return Ok(first);
         };
-        let otherwise = self.function(next.formula)?;
+        let otherwise = self.function(next.formula.typed())?;
         let otherwise = self.by_pieces(otherwise, next.condition, rest)?;
         let are_alike = first.units.len() == otherwise.units.len()
             && first
@@ -96,8 +97,10 @@ impl Prepared<'_> {
         if !are_alike {
             return Err(Why::UnitOfTerms.into());
         }
-        let text = holds.unwrap_or_default();
-        let holds = condition(text, lexicon).map_err(|error| Unreadable::typed(&error, text))?;
+        let condition = holds.unwrap_or_default();
+        let holds = condition
+            .comparison(lexicon, Manner::REAL)
+            .map_err(|error| Unreadable::typed(&error, condition.typed()))?;
         let expr = Expr::derived(Kind::If(holds, first.expr, otherwise.expr));
         Ok(Response {
             reading: Reading {
@@ -113,16 +116,12 @@ impl Prepared<'_> {
 
     /// A formula of real numbers, or one of complex numbers that is real: `Re(A e^(iωt))`, a sum of conjugate ones.
     fn formula(&self, text: &str) -> Result<Typed<Expr>, TypedError> {
-        const COMPLEX: Manner = Manner {
-            has_imaginary_unit: true,
-            ..MANNER
-        };
         let lexicon = &self.setup.lexicon;
-        let read = response::formula(text, lexicon, MANNER);
+        let read = response::formula(text, lexicon, Manner::REAL);
         if read.is_ok() || !text.contains(['i', 'j', 'I']) {
             return read;
         }
-        let complex = response::formula(text, lexicon, COMPLEX).ok();
+        let complex = response::formula(text, lexicon, Manner::COMPLEX).ok();
         let real = complex.and_then(|typed| self.real(typed.value));
         real.map_or(read, |value| {
             Ok(Typed {

@@ -102,12 +102,7 @@ impl Ends<'_> {
     }
 
     pub(crate) fn formula(&self, side: Side<'_>) -> Result<Expr, Unreadable> {
-        let manner = Manner {
-            comma_is_decimal: true,
-            has_imaginary_unit: false,
-            values: None,
-        };
-        side.formula(&self.setup.lexicon, manner)
+        side.formula(&self.setup.lexicon, Manner::REAL)
             .map_err(|error| Unreadable::typed(&error, side.typed()))
     }
 

@@ -13,10 +13,6 @@ pub(crate) enum Mark {
     /// `∈`, `in`.
     Element,
     Bracket(char),
-    /// A comma or semicolon; a comma between digits may be a decimal sign.
-    Part {
-        is_decimal: bool,
-    },
 }
 
 /// A mark with its place.
@@ -67,7 +63,6 @@ fn mark(text: &str, at: usize, char: char, before: Option<&Marked>) -> Option<(M
     let width = char.len_utf8();
     let rest = &text[at + width..];
     let sign = |is_less, is_open| Mark::Sign(Bounding { is_less, is_open });
-    let is_digit = |char: char| char.is_ascii_digit();
     // What stands between two intervals joins them.
     let is_between = || {
         let is_behind = before.is_some_and(|own| {
@@ -91,10 +86,6 @@ fn mark(text: &str, at: usize, char: char, before: Option<&Marked>) -> Option<(M
         'U' if text[..at].ends_with(' ') && rest.starts_with(' ') && begins_interval(rest) => {
             Mark::Or
         }
-        ',' => Mark::Part {
-            is_decimal: text[..at].ends_with(is_digit) && rest.starts_with(is_digit),
-        },
-        ';' => Mark::Part { is_decimal: false },
         _ => {
             let is_apart = text[..at].is_empty() || text[..at].ends_with(' ');
             let ends = |word: &str| {

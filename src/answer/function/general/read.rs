@@ -12,29 +12,21 @@ use crate::source::Span;
 impl Setup {
     /// The formulas of a response, by coordinate; with complex numbers in them, where only so they can be read.
     pub(crate) fn read(&self, response: &str) -> Result<Vec<Expr>, Unreadable> {
-        const REAL: Manner = Manner {
-            comma_is_decimal: true,
-            has_imaginary_unit: false,
-            values: None,
-        };
-        const COMPLEX: Manner = Manner {
-            has_imaginary_unit: true,
-            ..REAL
-        };
         let may_be_complex = response.contains(['i', 'j', 'I']);
-        self.read_in(response, REAL, &self.lexicon).or_else(|why| {
-            let constant = || {
-                let lexicon = self.with_doubtful.as_ref()?;
-                let typed = self.read_in(response, REAL, lexicon).ok()?;
-                // In an exponent or a phase it is the imaginary unit.
-                let is_doubtful = |name: &Name| name.as_str() == DOUBTFUL;
-                let turns = |own: &Expr| phases(own).iter().any(is_doubtful);
-                (!typed.iter().any(turns)).then_some(typed)
-            };
-            let complex = || self.read_in(response, COMPLEX, &self.lexicon).ok();
-            let other = may_be_complex.then(|| constant().or_else(complex));
-            other.flatten().ok_or(why)
-        })
+        self.read_in(response, Manner::REAL, &self.lexicon)
+            .or_else(|why| {
+                let constant = || {
+                    let lexicon = self.with_doubtful.as_ref()?;
+                    let typed = self.read_in(response, Manner::REAL, lexicon).ok()?;
+                    // In an exponent or a phase it is the imaginary unit.
+                    let is_doubtful = |name: &Name| name.as_str() == DOUBTFUL;
+                    let turns = |own: &Expr| phases(own).iter().any(is_doubtful);
+                    (!typed.iter().any(turns)).then_some(typed)
+                };
+                let complex = || self.read_in(response, Manner::COMPLEX, &self.lexicon).ok();
+                let other = may_be_complex.then(|| constant().or_else(complex));
+                other.flatten().ok_or(why)
+            })
     }
 
     fn read_in(

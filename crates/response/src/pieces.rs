@@ -1,26 +1,24 @@
-//! What people type around a function: the times for which it is meant to hold, and other functions for other times.
+//! The pieces of a function: the times for which it is meant to hold, and other functions for other times.
 
-use crate::expr::{Expr, Kind};
-use crate::response::{self, Lexicon, Manner, cut};
-use crate::source::Span;
-
-/// How a function is read.
-pub(crate) const MANNER: Manner = Manner {
-    comma_is_decimal: true,
-    has_imaginary_unit: false,
-    values: None,
-};
+use super::behind::with_unit;
+use super::list::cut;
+use super::ranges::Side;
+use super::{Lexicon, Manner, TypedError, chain};
+use vibank_formula::expr::{Expr, Kind};
+use vibank_source::Span;
 
 /// A function with the times for which it holds.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) struct FunctionPiece<'r> {
-    pub(crate) formula: &'r str,
-    pub(crate) condition: Option<&'r str>,
+pub struct FunctionPiece<'r> {
+    /// The function, perhaps with its name.
+    pub formula: Side<'r>,
+    /// When it holds, if that is said.
+    pub condition: Option<Side<'r>>,
 }
 
 /// The pieces of a function, each on a line or after a semicolon, `…, t < 1; …, t >= 1` or `… if t < 1 otherwise …`;
 /// one piece with its times, if there is no more.
-pub(crate) fn pieces(response: &str) -> Vec<FunctionPiece<'_>> {
+pub fn function_pieces(response: &str) -> Vec<FunctionPiece<'_>> {
     if let Some(pieces) = conditional(response) {
         return pieces;
     }
@@ -36,7 +34,9 @@ pub(crate) fn pieces(response: &str) -> Vec<FunctionPiece<'_>> {
     let last = pieces.len().saturating_sub(1);
     let is_by_pieces = last > 0
         && pieces[..last].iter().all(|piece| piece.condition.is_some())
-        && !pieces[1..].iter().any(|piece| piece.formula.contains('='));
+        && !pieces[1..]
+            .iter()
+            .any(|piece| piece.formula.typed().contains('='));
     if !is_by_pieces {
         pieces = vec![piece(response)];
     }
@@ -48,12 +48,12 @@ fn conditional(text: &str) -> Option<Vec<FunctionPiece<'_>>> {
     let (condition, rest) = text.trim().strip_prefix("if ")?.split_once(" then ")?;
     let (formula, otherwise) = rest.split_once(" otherwise ")?;
     let last = FunctionPiece {
-        formula: otherwise.trim(),
+        formula: Side::of(otherwise),
         condition: None,
     };
     let first = FunctionPiece {
-        formula: formula.trim(),
-        condition: Some(condition.trim()),
+        formula: Side::of(formula),
+        condition: Some(Side::of(condition)),
     };
     let others = conditional(otherwise).unwrap_or(vec![last]);
     Some(std::iter::once(first).chain(others).collect())
@@ -80,26 +80,33 @@ fn piece(text: &str) -> FunctionPiece<'_> {
         Some((at, sign)) => {
             let condition = text[at + sign.len()..].trim();
             FunctionPiece {
-                formula: text[..at].trim_end().trim_end_matches(',').trim_end(),
-                condition: Some(condition.trim_matches(['(', ')', ' '])),
+                formula: Side::of(text[..at].trim_end().trim_end_matches(',')),
+                condition: Some(Side::of(condition.trim_matches(['(', ')', ' ']))),
             }
         }
         None => FunctionPiece {
-            formula: text,
+            formula: Side::of(text),
             condition: None,
         },
     }
 }
 
-/// The comparison that a condition is; the unit after a number of it, one of SI, adds nothing.
-pub(crate) fn condition(text: &str, lexicon: &Lexicon) -> Result<Expr, response::TypedError> {
-    let text = text.trim_start_matches("for ").trim_start_matches("if ");
-    let read = |text: &str| {
-        let chain = response::chain(text, 0, text.len(), lexicon, MANNER)?.value;
-        Ok(Expr::derived(Kind::Compare(chain.sides, chain.relations)))
-    };
-    read(text).or_else(|error| {
-        let mut cuts = response::with_unit(text).filter(|(_, unit)| unit.to_si(1.0) == 1.0);
-        cuts.find_map(|(bare, _)| read(bare).ok()).ok_or(error)
-    })
+impl Side<'_> {
+    /// The comparison that a condition is; the unit after a number of it, one of SI, adds nothing.
+    ///
+    /// # Errors
+    ///
+    /// What cannot be read.
+    pub fn comparison(self, lexicon: &Lexicon, manner: Manner) -> Result<Expr, TypedError> {
+        let text = self.typed();
+        let text = text.trim_start_matches("for ").trim_start_matches("if ");
+        let read = |text: &str| {
+            let chain = chain(text, 0, text.len(), lexicon, manner)?.value;
+            Ok(Expr::derived(Kind::Compare(chain.sides, chain.relations)))
+        };
+        read(text).or_else(|error| {
+            let mut cuts = with_unit(text).filter(|(_, unit)| unit.to_si(1.0) == 1.0);
+            cuts.find_map(|(bare, _)| read(bare).ok()).ok_or(error)
+        })
+    }
 }
