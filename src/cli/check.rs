@@ -291,6 +291,7 @@ fn look(arguments: &Arguments) -> Result<Outcome, Failure> {
     let exceptions: usize = examined.iter().map(|own| own.allowed.len()).sum();
     findings.retain(|finding| wanted.wants(&finding.source.path));
     findings.extend(wanted.look_over_blueprints(&catalogue, arguments.seeds));
+    arguments.bank.name_in_help(&mut findings);
     Finding::sort(&mut findings);
     match arguments.format {
         Format::Text => {
