@@ -155,7 +155,7 @@ function line(part) {
   input.setAttribute("aria-describedby", part.described);
   root.querySelector("label").htmlFor = input.id;
   root.querySelector("label").textContent = say("answer", { letter: asked.letter });
-  root.querySelector(".lead").innerHTML = asked.lead ?? "";
+  root.querySelector(".lead").innerHTML = asked.options.length ? say("order") : (asked.lead ?? "");
   root.querySelector(".unit").innerHTML = asked.unit ?? "";
   if (asked.options.length) root.prepend(lettered(asked.options));
   input.addEventListener("input", () => part.changed());
