@@ -1,5 +1,6 @@
 //! What the layouts are filled with.
 
+use std::borrow::Cow;
 use std::collections::{BTreeMap, BTreeSet};
 
 use serde::Serialize;
@@ -242,7 +243,7 @@ impl Run {
             let title = Document::of(vec![title], Vec::new());
             for document in [&title, &chapter.formulas] {
                 let shown = Shown {
-                    document,
+                    document: Cow::Borrowed(document),
                     fillings: Vec::new(),
                 };
                 let texts = writer.texts(&[shown], self.voice());
