@@ -56,7 +56,7 @@ fn of_three(page: &Grey, finders: &[Finder], tries: &mut usize) -> Option<[u8; B
     for corner in finders {
         for right in finders {
             let across = length(step(corner.at, right.at));
-            let module = (corner.module + right.module) / 2.0;
+            let module = f32::midpoint(corner.module, right.module);
             if !(9.0 * module..=20.0 * module).contains(&across) {
                 continue;
             }
@@ -86,7 +86,7 @@ fn of_two(page: &Grey, finders: &[Finder], tries: &mut usize) -> Option<[u8; BYT
     for one in finders {
         for other in finders {
             let (x, y) = step(one.at, other.at);
-            let module = (one.module + other.module) / 2.0;
+            let module = f32::midpoint(one.module, other.module);
             if !(11.0 * module..=17.5 * module).contains(&length((x, y))) {
                 continue;
             }
@@ -277,7 +277,7 @@ impl Dark {
         let is_square = (wide - tall).abs() <= 0.5 * wide.max(tall);
         is_square.then_some(Finder {
             at,
-            module: (wide + tall) / 2.0,
+            module: f32::midpoint(wide, tall),
             rows: 1,
         })
     }
