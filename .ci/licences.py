@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Collects the licences of all packages that the two programs are built from.
+"""Collects the licences of all packages that the programs are built from.
 
 usage: .ci/licences.py TARGET FOLDER
 
@@ -13,7 +13,7 @@ import subprocess
 import sys
 from pathlib import Path
 
-PROGRAMS = {"vibank", "vibank-press"}
+PROGRAMS = {"vibank", "vibank-press", "vibank-scan"}
 NAMES = ("licen", "copying", "notice", "unlicense", "copyright")
 
 

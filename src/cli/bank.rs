@@ -109,6 +109,26 @@ impl BankArgument {
         all
     }
 
+    /// Names the bank in the commands that the help of findings gives, so that they can be pasted and run.
+    pub(crate) fn name_in_help(&self, findings: &mut [Finding]) {
+        let Some(folder) = &self.bank else { return };
+        let folder = folder.display().to_string();
+        let is_plain = |sign: char| sign.is_alphanumeric() || "/\\._-:".contains(sign);
+        let folder = if folder.chars().all(is_plain) {
+            folder
+        } else {
+            format!("'{folder}'")
+        };
+        for help in findings
+            .iter_mut()
+            .filter_map(|finding| finding.help.as_mut())
+        {
+            for command in ["`vibank solve ", "`vibank mark "] {
+                *help = help.replace(command, &format!("{command}--bank {folder} "));
+            }
+        }
+    }
+
     fn found(&self) -> Result<BankFiles, Failure> {
         let mut found = BankFiles::default();
         match &self.bank {

@@ -16,7 +16,9 @@ use vibank::worksheet::{Blueprint, Plan};
 
 use super::bank::{self, BankArgument};
 use super::watch::{self, Watch};
-use super::{Failure, Format, Outcome, counted, file_kind, files, preview, progress, survey};
+use super::{
+    Failure, Format, Outcome, counted, file_kind, files, preview, progress, sheet, survey,
+};
 
 /// Look over a bank, or blueprints: form, names, dimensions, texts, known results; and examine each item as its
 /// students meet it: mistakes, wrong methods and honest work typed and marked over many draws.
@@ -174,6 +176,22 @@ impl Wanted {
     }
 }
 
+impl Wanted {
+    /// Why the files that the blueprints name, class list and secret, cannot be used.
+    fn unreadable_beside(&self) -> Vec<Failure> {
+        let mut failures = Vec::new();
+        for source in &self.blueprints {
+            let Ok(blueprint) = Blueprint::read(source) else {
+                continue;
+            };
+            let folder = Path::new(&*source.path).parent();
+            failures.extend(sheet::students(&blueprint, folder.unwrap_or(Path::new(""))).err());
+            failures.extend(sheet::secret(&blueprint).err());
+        }
+        failures
+    }
+}
+
 /// What is asked of the items of a bank, besides warnings, and of no question that a teacher writes for one exam.
 const OF_A_BANK: [&str; 3] = [
     "check::few-methods",
@@ -291,6 +309,8 @@ fn look(arguments: &Arguments) -> Result<Outcome, Failure> {
     let exceptions: usize = examined.iter().map(|own| own.allowed.len()).sum();
     findings.retain(|finding| wanted.wants(&finding.source.path));
     findings.extend(wanted.look_over_blueprints(&catalogue, arguments.seeds));
+    arguments.bank.name_in_help(&mut findings);
+    let unreadable = wanted.unreadable_beside();
     Finding::sort(&mut findings);
     match arguments.format {
         Format::Text => {
@@ -309,13 +329,17 @@ fn look(arguments: &Arguments) -> Result<Outcome, Failure> {
             .expect("findings and surveys are plain data")
         ),
     }
+    for failure in &unreadable {
+        eprintln!("{}\n", failure.to_string().trim_end());
+    }
     let count = |severity| {
         findings
             .iter()
             .filter(|finding| finding.severity == severity)
             .count()
     };
-    let (errors, warnings) = (count(Severity::Error), count(Severity::Warning));
+    let errors = count(Severity::Error) + unreadable.len();
+    let warnings = count(Severity::Warning);
     let things = match wanted.blueprints.len() {
         count if count == arguments.items.len() && count > 0 => counted(count, "blueprint"),
         _ => counted(examined.len(), "item"),

@@ -218,6 +218,20 @@ pub(crate) fn new_draft(
     Ok(draft)
 }
 
+/// Whether somebody besides its owner can read or write a file, where the system knows that.
+pub(crate) fn is_open_to_others(path: &Path) -> bool {
+    #[cfg(unix)]
+    {
+        use std::os::unix::fs::PermissionsExt;
+        fs::metadata(path).is_ok_and(|own| own.is_file() && own.permissions().mode() & 0o077 != 0)
+    }
+    #[cfg(not(unix))]
+    {
+        let _ = path;
+        false
+    }
+}
+
 /// How the names of drafts end.
 pub(crate) const DRAFT: &str = ".part";
 

@@ -58,6 +58,7 @@ mod platform;
 mod practice;
 mod press;
 mod preview;
+mod program;
 mod progress;
 mod record;
 mod report;
@@ -71,6 +72,7 @@ mod sheet;
 mod show;
 mod shown;
 mod solve;
+mod sort;
 mod survey;
 mod table;
 mod watch;
@@ -107,6 +109,7 @@ enum Command {
     Mark(mark::Arguments),
     Sheet(sheet::Arguments),
     Preview(preview::Arguments),
+    Sort(sort::Arguments),
     Enter(enter::Arguments),
     Form(form::Arguments),
     Grade(grade::Arguments),
@@ -206,6 +209,7 @@ pub(crate) fn run() -> ExitCode {
         Command::List(arguments) => list::run(&arguments),
         Command::Show(arguments) => show::run(&arguments),
         Command::Mark(arguments) => mark::run(&arguments),
+        Command::Sort(arguments) => sort::run(&arguments),
         Command::Enter(arguments) => enter::run(&arguments),
         Command::Form(arguments) => form::run(&arguments),
         Command::Grade(arguments) => grade::run(&arguments),

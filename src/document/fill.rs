@@ -47,6 +47,19 @@ impl Filling {
     pub fn words(words: impl Into<String>) -> Self {
         Self::Math(Math::Text(words.into()))
     }
+
+    /// Writes the decimals within its formulas with another sign.
+    pub fn set_decimal_sign(&mut self, sign: &str) {
+        match self {
+            Self::Math(math) => math.set_decimal_sign(sign),
+            Self::Figure(_) => {}
+            Self::Steps(steps) => {
+                for side in steps.iter_mut().flat_map(|step| &mut step.lines).flatten() {
+                    side.set_decimal_sign(sign);
+                }
+            }
+        }
+    }
 }
 
 /// Hole `n` is filled with the `n`-th filling.

@@ -203,59 +203,77 @@ impl Document {
         self.blocks.is_empty()
     }
 
+    /// Writes the decimals within its formulas with another sign.
+    pub fn set_decimal_sign(&mut self, sign: &str) {
+        for block in &mut self.blocks {
+            block.for_each_inset(&mut |inset| match inset {
+                Inset::Math(math) => math.set_decimal_sign(sign),
+                Inset::Hole(_) => {}
+            });
+        }
+    }
+
     /// Appends another document: its holes come after those that are here.
     pub fn append(&mut self, other: Document) {
         let offset = self.placeholders.len() as u32;
         let mut blocks = other.blocks;
         for block in &mut blocks {
-            block.shift(offset);
+            block.for_each_inset(&mut |inset| match inset {
+                Inset::Math(math) => math.shift_holes(offset),
+                Inset::Hole(hole) => *hole += offset,
+            });
         }
         self.blocks.append(&mut blocks);
         self.placeholders.extend(other.placeholders);
     }
 }
 
+/// What is not words.
+enum Inset<'d> {
+    Math(&'d mut Math),
+    Hole(&'d mut u32),
+}
+
 impl Block {
-    fn shift(&mut self, offset: u32) {
-        let shift_all = |content: &mut Vec<Inline>| {
-            for inline in content {
-                inline.shift(offset);
-            }
-        };
+    /// Visits the formulas, and the holes outside of them.
+    fn for_each_inset(&mut self, visit: &mut dyn FnMut(Inset<'_>)) {
         match self {
-            Self::Paragraph(content) | Self::Heading { content, .. } => shift_all(content),
-            Self::List { items, .. } => items
-                .iter_mut()
-                .flatten()
-                .for_each(|block| block.shift(offset)),
+            Self::Paragraph(content) | Self::Heading { content, .. } => {
+                Inline::for_each_inset(content, visit);
+            }
+            Self::List { items, .. } => {
+                for block in items.iter_mut().flatten() {
+                    block.for_each_inset(visit);
+                }
+            }
             Self::Table { head, rows, .. } => {
-                head.iter_mut()
-                    .chain(rows.iter_mut().flatten())
-                    .for_each(shift_all);
+                for cell in head.iter_mut().chain(rows.iter_mut().flatten()) {
+                    Inline::for_each_inset(cell, visit);
+                }
             }
             Self::Quote(blocks) => {
                 for block in blocks {
-                    block.shift(offset);
+                    block.for_each_inset(visit);
                 }
             }
-            Self::Display(math) => math.shift_holes(offset),
-            Self::Figure(hole) => *hole += offset,
+            Self::Display(math) => visit(Inset::Math(math)),
+            Self::Figure(hole) => visit(Inset::Hole(hole)),
             Self::Code(_) | Self::Rule => {}
         }
     }
 }
 
 impl Inline {
-    fn shift(&mut self, offset: u32) {
-        match self {
-            Self::Emphasis(content) | Self::Strong(content) | Self::Link { content, .. } => {
-                for inline in content {
-                    inline.shift(offset);
+    fn for_each_inset(content: &mut [Self], visit: &mut dyn FnMut(Inset<'_>)) {
+        for inline in content {
+            match inline {
+                Self::Emphasis(content) | Self::Strong(content) | Self::Link { content, .. } => {
+                    Self::for_each_inset(content, visit);
                 }
+                Self::Math(math) => visit(Inset::Math(math)),
+                Self::Hole(hole) => visit(Inset::Hole(hole)),
+                Self::Text(_) | Self::Code(_) | Self::Break => {}
             }
-            Self::Math(math) => math.shift_holes(offset),
-            Self::Hole(hole) => *hole += offset,
-            Self::Text(_) | Self::Code(_) | Self::Break => {}
         }
     }
 }

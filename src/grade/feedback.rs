@@ -145,7 +145,7 @@ pub fn remarks(
                 .get(*number)
                 .map(|mistake| scene.passage(&mistake.feedback));
             comments.extend(shown.into_iter().flatten().map(|shown| Comment {
-                document: shown.document.clone(),
+                document: shown.document.into_owned(),
                 fillings: shown.fillings,
             }));
         }

@@ -1,5 +1,7 @@
 //! What a student reads about a sheet, and what a teacher reads about all sheets, as pages.
 
+use std::borrow::Cow;
+
 use serde::Serialize;
 
 use super::layouts::OutputError;
@@ -86,7 +88,7 @@ impl Pages {
     fn marked(&self, part: &PartFeedback) -> FeedbackPartView {
         let remark = |remark: &Comment| {
             let shown = Shown {
-                document: &remark.document,
+                document: Cow::Borrowed(&remark.document),
                 fillings: remark.fillings.clone(),
             };
             self.writer.texts(&[shown], self.run.voice())

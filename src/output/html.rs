@@ -2,11 +2,15 @@
 //!
 //! Nothing is fetched: the page works from a disk, without a network, and prints on A4 or Letter.
 
+use std::fmt::Write as _;
+
 use super::Writer;
 use super::layouts::style;
 use crate::document::{Document, Filling, Formulas};
 use crate::math::{Display, MATHML_STYLE, Math, Voice, escape};
 use crate::scene::Shown;
+use crate::seed::Variant;
+use crate::worksheet::ScanMark;
 
 /// The format.
 pub(crate) struct Html;
@@ -49,6 +53,26 @@ impl Writer for Html {
         }
         let terms: Vec<String> = math.terms().iter().map(written).collect();
         terms.join("<wbr>")
+    }
+
+    /// A picture, as an address within a style; a browser does not say in it which page it is.
+    fn scan_mark(&self, variant: Variant) -> String {
+        let mark = ScanMark {
+            variant,
+            page: 0,
+            is_last: false,
+        };
+        let mut path = String::new();
+        for (y, row) in mark.modules().iter().enumerate() {
+            for x in (0..ScanMark::WIDTH).filter(|x| row >> x & 1 == 1) {
+                let _ = write!(path, "M{x} {y}h1v1h-1z");
+            }
+        }
+        let width = ScanMark::WIDTH;
+        format!(
+            "data:image/svg+xml,%3Csvg xmlns='http://www.w3.org/2000/svg' width='12.6mm' height='12.6mm' \
+             viewBox='0 0 {width} {width}'%3E%3Cpath d='{path}'/%3E%3C/svg%3E"
+        )
     }
 
     fn texts(&self, shown: &[Shown<'_>], voice: &'static Voice) -> String {

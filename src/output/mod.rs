@@ -41,6 +41,7 @@ pub use textbook::TextbookError;
 use crate::document::{Block, Document};
 use crate::math::{Math, Voice};
 use crate::scene::Shown;
+use crate::seed::Variant;
 
 /// Writes words that a layout places so that they mean themselves.
 pub type Escape = fn(&str, &mut dyn std::io::Write) -> std::io::Result<()>;
@@ -88,6 +89,11 @@ pub trait Writer: Sync {
     /// A figure, given as SVG, beside a text.
     fn figure(&self, svg: &str) -> String {
         svg.to_owned()
+    }
+
+    /// The mark by which scans of the pages of a variant are sorted; empty where pages are set elsewhere.
+    fn scan_mark(&self, _variant: Variant) -> String {
+        String::new()
     }
 
     /// The name of the file of a figure that the notation cannot hold.

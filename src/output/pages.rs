@@ -1,5 +1,6 @@
 //! What the layouts are filled with.
 
+use std::borrow::Cow;
 use std::collections::{BTreeMap, BTreeSet};
 
 use serde::Serialize;
@@ -72,6 +73,9 @@ pub struct Run {
     pub(crate) figures: bool,
     #[serde(skip)]
     pub(crate) mark: DecimalMark,
+    /// Whether sheets have marks by which scans of them are sorted.
+    #[serde(skip)]
+    pub(crate) scan_marks: bool,
     /// Whether the seeds are keyed with a secret, so that pages that are handed out must not tell them.
     #[serde(skip)]
     pub(crate) is_keyed: bool,
@@ -132,6 +136,7 @@ impl Run {
             data: Data::Both,
             hints: false,
             figures: true,
+            scan_marks: false,
             is_keyed: true,
             names: Names::default(),
             mark: if decimal == ',' {
@@ -169,6 +174,7 @@ impl Run {
             data: blueprint.data,
             hints: blueprint.hints,
             figures: blueprint.figures,
+            scan_marks: blueprint.scan_marks,
             is_keyed: blueprint.secret.is_some(),
             names: Names::default(),
             mark: if blueprint.decimal == ',' {
@@ -237,7 +243,7 @@ impl Run {
             let title = Document::of(vec![title], Vec::new());
             for document in [&title, &chapter.formulas] {
                 let shown = Shown {
-                    document,
+                    document: Cow::Borrowed(document),
                     fillings: Vec::new(),
                 };
                 let texts = writer.texts(&[shown], self.voice());

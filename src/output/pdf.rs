@@ -7,6 +7,8 @@ use super::Writer;
 use crate::document::{Document, Filling, write_picture};
 use crate::math::{Display, Math, TYPST_PRELUDE, Voice, quote};
 use crate::scene::Shown;
+use crate::seed::Variant;
+use crate::worksheet::{Modules, ScanMark};
 
 /// The format.
 pub(crate) struct Pdf;
@@ -69,6 +71,21 @@ impl Writer for Pdf {
         let mut out = String::new();
         write_picture(&mut out, svg);
         out
+    }
+
+    /// Rows of modules of page 0, and the rows that each bit of the page inverts, for `scan-marks` of the layout.
+    fn scan_mark(&self, variant: Variant) -> String {
+        let rows = |modules: &Modules| {
+            let rows: Vec<String> = modules.iter().map(u32::to_string).collect();
+            format!("({})", rows.join(","))
+        };
+        let bits: Vec<String> = ScanMark::page_bits().iter().map(rows).collect();
+        let mark = ScanMark {
+            variant,
+            page: 0,
+            is_last: false,
+        };
+        format!("{},({})", rows(&mark.modules()), bits.join(","))
     }
 
     fn is_bound(&self) -> bool {

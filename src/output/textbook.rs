@@ -2,6 +2,8 @@
 //!
 //! All pictures and examples are made of the data in the items' files.
 
+use std::borrow::Cow;
+
 use serde::Serialize;
 
 use super::chapter::{self, ChapterError, ChapterPiece};
@@ -139,7 +141,7 @@ impl Pages {
     fn set(&self, line: usize, text: &str) -> Result<String, TextbookError> {
         let document = read(line, text)?;
         let shown = crate::scene::Shown {
-            document: &document,
+            document: Cow::Borrowed(&document),
             fillings: Vec::<Filling>::new(),
         };
         Ok(self.writer.texts(&[shown], self.run.voice()))

@@ -27,6 +27,8 @@ pub(crate) struct SheetView {
     extra_time: String,
     /// The size of type in points, where it is not the usual one.
     type_size: Option<u8>,
+    /// The mark by which a scan is sorted, as the format has it; empty without one.
+    scan_mark: String,
     count: String,
     points: String,
     /// Rows of the table where marks are written in; none where nothing is written on the sheet.
@@ -216,6 +218,11 @@ impl<'p> View<'p> {
             extra_time: self.placed(self.run.plain_name(&student.extra_time)),
             // A key is read by whoever marks.
             type_size: student.type_size.filter(|_| self.kind != PageKind::Key),
+            scan_mark: if self.run.scan_marks && self.kind == PageKind::Sheet {
+                self.writer.scan_mark(sheet.variant)
+            } else {
+                String::new()
+            },
             count: format!(
                 "{}{}",
                 self.run.words.questions(count),

@@ -33,6 +33,7 @@ use crate::math::Math;
 use crate::message::{Language, Phrase};
 use crate::quantity::Absent;
 use crate::solution::Solution;
+use crate::unit::DecimalMark;
 
 /// How the data of an instance are shown in its statement.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -65,7 +66,7 @@ pub struct Scene<'s, 't> {
 /// A text that is shown, with what fills its holes.
 pub struct Shown<'t> {
     /// The text.
-    pub document: &'t Document,
+    pub document: Cow<'t, Document>,
     /// What fills its holes.
     pub fillings: Vec<Filling>,
 }
@@ -180,7 +181,13 @@ impl<'s, 't> Scene<'s, 't> {
         let general = &self.solution.key(place)?.math;
         let own = self.solution.written(place, || self.concrete(place));
         let is_too_long = own.is_some_and(|own| own.plain().chars().count() > MAX_KEY_LENGTH);
-        Ok((!is_too_long).then(|| self.language.formula(own.unwrap_or(general))))
+        Ok((!is_too_long).then(|| {
+            let mut math = self.language.formula(own.unwrap_or(general));
+            if self.solution.mark() == DecimalMark::Comma {
+                math.to_mut().set_decimal_sign(",");
+            }
+            math
+        }))
     }
 
     /// The key of a part for which its general form is not what one looks for.
@@ -221,12 +228,18 @@ impl<'s, 't> Scene<'s, 't> {
 
     fn piece<'p>(&self, piece: &'p Piece) -> Shown<'p> {
         let places = piece.document.placeholders().iter().zip(&piece.targets);
-        let fillings = places
-            .map(|(place, target)| self.filling(target, place.form))
-            .collect();
-        Shown {
-            document: &piece.document,
-            fillings,
+        let fillings = places.map(|(place, target)| self.filling(target, place.form));
+        let mut shown = Shown {
+            document: Cow::Borrowed(&piece.document),
+            fillings: fillings.collect(),
+        };
+        // Data have their sign already; this is for what authors wrote, and for numbers in derived formulas.
+        if self.solution.mark() == DecimalMark::Comma {
+            shown.document.to_mut().set_decimal_sign(",");
+            for filling in &mut shown.fillings {
+                filling.set_decimal_sign(",");
+            }
         }
+        shown
     }
 }

@@ -123,6 +123,8 @@ pub struct Blueprint {
     pub hints: bool,
     /// Where it says that the formulas of the chapters are printed after the questions, if it does.
     pub formula_sheet: Option<Span>,
+    /// Whether each page has marks by which a scan of it is sorted.
+    pub scan_marks: bool,
     /// Where answers are written.
     pub answer_space: AnswerSpace,
     /// Room for work at each part that has none of its own, where it is stated.

@@ -27,6 +27,8 @@ mod printing;
 #[cfg(feature = "render")]
 mod rules;
 #[cfg(feature = "render")]
+mod scan_mark;
+#[cfg(feature = "render")]
 mod seat;
 mod sheet;
 #[cfg(feature = "render")]
@@ -66,6 +68,8 @@ pub use practice::{Practice, PracticeError, PracticeQuestion, Weighed};
 pub use printing::{FileNames, Order, Printing, Section, TypeSizeError, Whose, file_stem};
 #[cfg(feature = "render")]
 pub use rules::{Feedback, Rules, Worked};
+#[cfg(feature = "render")]
+pub use scan_mark::{Modules, ScanMark};
 pub use sheet::{Heading, Sheet, SheetQuestion, Student, headings, letter};
 #[cfg(feature = "render")]
 pub use variants::Chooser;

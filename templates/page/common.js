@@ -155,7 +155,7 @@ function line(part) {
   input.setAttribute("aria-describedby", part.described);
   root.querySelector("label").htmlFor = input.id;
   root.querySelector("label").textContent = say("answer", { letter: asked.letter });
-  root.querySelector(".lead").innerHTML = asked.lead ?? "";
+  root.querySelector(".lead").innerHTML = asked.options.length ? say("order") : (asked.lead ?? "");
   root.querySelector(".unit").innerHTML = asked.unit ?? "";
   if (asked.options.length) root.prepend(lettered(asked.options));
   input.addEventListener("input", () => part.changed());
@@ -187,7 +187,7 @@ function options(part) {
   root.setAttribute("aria-describedby", `${name}-asked`);
   const inputs = asked.options.map((option, at) => {
     const input = make("input", { type, name, value: option.letter, id: `${name}-${at}` });
-    const label = make("label", { htmlFor: input.id, innerHTML: option.text });
+    const label = make("label", { htmlFor: input.id, innerHTML: `<span>${option.letter})</span> ${option.text}` });
     // A formula alone is no name for all who read pages aloud.
     if (label.querySelector("math")) input.setAttribute("aria-label", spoken(label));
     input.addEventListener("change", () => part.changed());

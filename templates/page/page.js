@@ -370,7 +370,7 @@ class Part {
     const { group } = this.part;
     if (!group) return [this.root];
     const opens = make("section", { className: "part opens" });
-    opens.append(make("h3", { textContent: `${group.letter})` }), make("div", { id: `${this.group}-ask`, innerHTML: group.ask }));
+    opens.append(make("h3", { textContent: `${group.letter})` }), make("div", { className: "ask", id: `${this.group}-ask`, innerHTML: group.ask }));
     return [opens, this.root];
   }
 

@@ -256,6 +256,24 @@ impl Math {
         }
     }
 
+    /// Writes the decimals within a formula with another sign.
+    ///
+    /// ```
+    /// use vibank_notation::Math;
+    ///
+    /// let mut half = Math::row([Math::number("0.5"), Math::letter('k')]);
+    /// half.set_decimal_sign(",");
+    /// assert_eq!(half.latex(), "0{,}5k");
+    /// ```
+    pub fn set_decimal_sign(&mut self, sign: &str) {
+        self.for_each_child(&mut |child| child.set_decimal_sign(sign));
+        if let Self::Number(digits) = self
+            && digits.contains('.')
+        {
+            *digits = digits.replace('.', sign);
+        }
+    }
+
     /// Visits the trees right below this one.
     fn for_each_child(&mut self, visit: &mut dyn FnMut(&mut Math)) {
         match self {

@@ -374,19 +374,22 @@ impl PlainWriter<'_> {
                 self.push(close);
             }
             if number > 0 && kind == TableKind::Aligned {
-                self.join(before, between);
+                let first = row.first().map(|cell| cell.plain());
+                let is_open = row.len() > 1 && first.is_some_and(|own| own.trim().is_empty());
+                self.join(before, between, is_open);
             }
         }
         self.push(close);
     }
 
     /// Has a row that goes on with the relation of the one before, `a = b` and `= c` below it, come after it as one
-    /// chain.
-    fn join(&mut self, before: usize, between: &str) {
+    /// chain; also one without a left side that goes on within a sum or product.
+    fn join(&mut self, before: usize, between: &str, is_open: bool) {
         const RELATIONS: [char; 8] = ['=', '≈', '<', '>', '≤', '≥', '≡', '⇒'];
+        const OPERATORS: [char; 5] = ['+', '−', '±', '·', '⋅'];
         let row = &self.out[before + between.len()..];
         let text = row.trim_start();
-        if text.starts_with(RELATIONS) {
+        if text.starts_with(RELATIONS) || is_open && text.starts_with(OPERATORS) {
             let end = self.out.len() - text.len();
             self.out.replace_range(before..end, " ");
         }

@@ -7,13 +7,14 @@
 
 mod printer;
 
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
 use vibank_press_protocol::{Job, PROTOCOL, Reply};
 
 use self::printer::Printer;
-use super::{Failure, setting};
+use super::Failure;
+use super::program::{self, Found};
 
 /// The program.
 const NAME: &str = "vibank-press";
@@ -52,31 +53,15 @@ impl Press {
     /// The press of this machine: the one that `VIBANK_PRESS` names, else the one beside the program, else the first
     /// one on the PATH, which is mentioned, since it may be another version's.
     pub(crate) fn find() -> Result<Self, Missing> {
-        if let Some(named) = setting(VARIABLE) {
-            return if named.is_empty() {
-                Err(Missing::Nowhere)
-            } else {
-                Self::at(PathBuf::from(named))
-            };
+        match program::find(NAME, VARIABLE) {
+            None => Err(Missing::Nowhere),
+            Some(Found::Own(program)) => Self::at(program),
+            Some(Found::OnPath(program)) => {
+                let press = Self::at(program)?;
+                eprintln!("printing with `{}`", press.program.display());
+                Ok(press)
+            }
         }
-        let name = format!("{NAME}{}", std::env::consts::EXE_SUFFIX);
-        let own = std::env::current_exe().ok();
-        let beside = own.as_deref().and_then(Path::parent);
-        if let Some(program) = beside.map(|folder| folder.join(&name))
-            && program.is_file()
-        {
-            return Self::at(program);
-        }
-        let path = setting("PATH").unwrap_or_default();
-        let found = std::env::split_paths(&path)
-            .map(|folder| folder.join(&name))
-            .find(|program| program.is_file());
-        let Some(program) = found else {
-            return Err(Missing::Nowhere);
-        };
-        let press = Self::at(program)?;
-        eprintln!("printing with `{}`", press.program.display());
-        Ok(press)
     }
 
     /// The press at this path, if it greets as one of this version.

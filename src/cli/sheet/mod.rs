@@ -545,6 +545,12 @@ pub(crate) fn secret(blueprint: &Blueprint) -> Result<Option<Secret>, Failure> {
     let path = Path::new(&*blueprint.source.path).with_file_name(&file.value);
     let help = || format!("`vibank new secret {}` makes one", path.display());
     let bytes = files::read_bytes(&path).map_err(|failure| failure.help(help()))?;
+    if files::is_open_to_others(&path) {
+        let shown = path.display();
+        eprintln!(
+            "warning: others can read the secret `{shown}`; `chmod 600 {shown}` keeps it to you"
+        );
+    }
     let secret = Secret::new(&bytes)
         .map_err(|error| Failure::new(format!("`{}`: {error}", path.display())).help(help()));
     secret.map(Some)

@@ -19,6 +19,9 @@ pub(crate) struct Damper;
 /// Half of the breadth of the cylinder.
 const HALF: f64 = 0.2;
 
+/// What the line and its roundings reach beyond this.
+const LINE: f64 = 0.04;
+
 /// The length at rest of one that is stretched.
 const REST: &str = "length at rest";
 
@@ -91,6 +94,6 @@ impl Element for Damper {
 
     fn spots(&self, part: &Part<'_>) -> Vec<Spot> {
         let (a, b) = part.working();
-        spots::beside(a, b, HALF, part.at)
+        spots::beside(a, b, HALF + LINE, part.at)
     }
 }

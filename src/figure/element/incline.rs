@@ -55,10 +55,17 @@ impl Element for Incline {
         let (foot, far, upper, angle) = Self::corners(part);
         drawing.stroke(Path::line(foot, far), part.pen(Weight::Thin));
         drawing.stroke(Path::line(foot, upper), part.pen(Weight::Bold));
+        // The strokes stay within the slope: above its base and before its upper end.
+        let steep = tan(angle.abs()).max(1e-3);
+        let within = |from: Point, to: Point, [first, last]: [f64; 2]| {
+            let length = from.distance(to).max(1e-9);
+            let [first, last] = [first, last].map(|share| (share * DEPTH / length).min(0.45));
+            (from.towards(to, first), to.towards(from, last))
+        };
         let (a, b) = if angle < 0.0 {
-            (upper, foot)
+            within(upper, foot, [steep, (1.0 / steep - 1.0).max(0.0)])
         } else {
-            (foot, upper)
+            within(foot, upper, [1.0 / steep, (steep - 1.0).max(0.0)])
         };
         hatch(part, a, b, 0.0, drawing);
         if part.label.is_some() {

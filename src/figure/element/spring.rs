@@ -21,6 +21,9 @@ pub(crate) struct Spring;
 /// Half of the breadth of the coils.
 const RADIUS: f64 = 0.2;
 
+/// What the line and its roundings reach beyond this.
+const LINE: f64 = 0.04;
+
 /// Advance of a turn.
 const PITCH: f64 = 0.23;
 
@@ -85,13 +88,16 @@ impl Axis {
 }
 
 /// The turns of a helix, seen from the side: each quarter as a cubic curve with its ends and tangents.
+///
+/// Half a turn more than is counted makes both ends alike: the loops lean one way, so that after whole turns the last one
+/// would hang over the end.
 fn coils(axis: &Axis, length: f64, turns: usize) -> Path {
     let lead = LEAD.min(0.2 * length);
     let span = length - 2.0 * lead;
     let radius = RADIUS.min(0.35 * length);
-    let pitch = span / turns as f64;
     let lean = LEAN * radius;
-    let quarters = 4 * turns;
+    let pitch = (span - 2.0 * lean) / (turns as f64 + 0.5);
+    let quarters = 4 * turns + 2;
     let step = std::f64::consts::FRAC_PI_2;
     let place = |sine: f64, cosine: f64, turned: f64| {
         let along = lead + pitch * turned + lean * (1.0 - cosine);
@@ -207,13 +213,13 @@ impl Element for Spring {
         match axis {
             Axis::Straight { .. } => {
                 let (a, b) = part.working();
-                spots::beside(a, b, RADIUS, part.at)
+                spots::beside(a, b, RADIUS + LINE, part.at)
             }
             Axis::Arc { centre, .. } => {
                 let mut spots = Vec::new();
                 for share in [0.5, 0.4, 0.6, 0.3, 0.7] {
                     let at = axis.at(length * share, 0.0);
-                    spots.extend(spots::off(at, at - centre, RADIUS));
+                    spots.extend(spots::off(at, at - centre, RADIUS + LINE));
                 }
                 spots
             }

@@ -9,6 +9,8 @@ use crate::unit::{Decimal, DecimalMark, Quantity, Unit};
 
 /// Share of a curve's extent from which a turn counts.
 const TURN: f64 = 0.02;
+/// Share of a curve's extent below which no value can be told from zero in a plot.
+const ZERO: f64 = 1e-6;
 /// Points that stand for a cubic piece.
 const POINTS: usize = 4;
 
@@ -73,10 +75,15 @@ fn curve(plot: &Plot<'_>, line: &CurveLine) -> Option<story::Curve> {
 /// What values do from first to last.
 fn behaviour(values: &[f64], axis: &Axis, mark: DecimalMark) -> Option<Behaviour> {
     let (first, last) = (*values.first()?, *values.last()?);
-    let say = |coordinate: f64| number(axis.value(coordinate), axis.unit, mark);
     let (low, high) = values.iter().fold((first, first), |(low, high), value| {
         (low.min(*value), high.max(*value))
     });
+    // What rounding leaves of zero is zero; the coordinates of a logarithmic axis are exponents.
+    let is_zero = |own: f64| !axis.is_logarithmic && own.abs() < ZERO * (high - low);
+    let say = |own: f64| {
+        let own = if is_zero(own) { 0.0 } else { own };
+        number(axis.value(own), axis.unit, mark)
+    };
     if high - low <= 1e-6 * high.abs().max(low.abs()) {
         return Some(Behaviour::Constant(say(first)));
     }
@@ -170,6 +177,11 @@ mod tests {
             ends: ["2 mm", "0.5 mm"].map(value),
         };
         assert_eq!(of(&[2.0, 1.0, 0.5]), falls);
+        let to_nothing = Behaviour::Way {
+            rises: false,
+            ends: ["2 mm", "0 mm"].map(value),
+        };
+        assert_eq!(of(&[2.0, 1.0, -1.4e-16]), to_nothing);
         let turns = Behaviour::Turn {
             rises: true,
             values: ["0 mm", "3 mm", "1 mm"].map(value),

@@ -238,6 +238,7 @@ pub(crate) fn blueprint<'s>(
         figures: table.boolean("figures").unwrap_or(true),
         hints: table.boolean("hints").unwrap_or(false),
         formula_sheet: formula_sheet(&table),
+        scan_marks: table.boolean("scan_marks").unwrap_or(false),
         answer_space: faults.word(
             &table,
             "answer_space",

@@ -11,6 +11,25 @@ use std::time::Duration;
 use super::{blueprint, content, folder, put, small, text_of, vibank};
 
 #[test]
+fn check_looks_at_the_files_that_a_blueprint_names() {
+    let folder = folder("check-beside");
+    let plan = "title = 'T'\nsecret = 'exam.key'\nstudents = 'class.csv'\n[[question]]\nitem = 'ch3/e5-log-decrement'\n";
+    let plan = put(&folder, "exam.toml", plan);
+    put(&folder, "class.csv", "id,name\n1,Ada\n1,Emmy\n");
+    vibank(&["check", &plan])
+        .ends(1)
+        .complains("exam.key")
+        .complains("vibank new secret")
+        .complains("class.csv")
+        .complains("1 blueprint, 2 errors, 0 warnings");
+    put(&folder, "class.csv", "id,name\n1,Ada\n2,Emmy\n");
+    vibank(&["new", "secret", &text_of(&folder.join("exam.key"))]).ends(0);
+    vibank(&["check", &plan])
+        .ends(0)
+        .complains("1 blueprint, 0 errors, 0 warnings");
+}
+
+#[test]
 fn a_new_exam_can_be_checked_printed_and_marked_as_it_stands() {
     let folder = folder("new-exam");
     let exam = text_of(&folder.join("exam.toml"));

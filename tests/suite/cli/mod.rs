@@ -26,6 +26,7 @@ mod requests;
 mod runs;
 mod shards;
 mod sheets;
+mod sort;
 mod tables;
 mod trace;
 mod work;

@@ -460,3 +460,23 @@ fn what_an_interrupted_run_has_left_is_removed() {
     let found: Vec<PathBuf> = all(out).into_iter().filter(hidden).collect();
     assert!(found.is_empty(), "{found:?}");
 }
+
+#[cfg(unix)]
+#[test]
+fn a_secret_that_others_can_read_is_a_warning() {
+    use std::os::unix::fs::PermissionsExt;
+
+    let desk = Desk::new("open-secret");
+    desk.secret();
+    let plan = desk.plan("secret = 'exam.key'\nvariants = 2");
+    let key = desk.folder.join("exam.key");
+    let set = |mode| fs::set_permissions(&key, fs::Permissions::from_mode(mode)).unwrap();
+    set(0o644);
+    let out = text_of(&desk.folder.join("out"));
+    let ran = small(&["sheet", &plan, "--out", &out]).ends(0);
+    ran.complains("others can read the secret")
+        .complains("chmod 600");
+    set(0o600);
+    let ran = small(&["sheet", &plan, "--out", &out]).ends(0);
+    assert!(!ran.err.contains("others"), "{}", ran.err);
+}

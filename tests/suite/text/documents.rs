@@ -263,4 +263,7 @@ fn a_chain_on_several_lines_is_one_chain_in_a_terminal() {
     let chain = "\\begin{aligned} a &= b \\\\ &= c \\\\ d &= e \\end{aligned}";
     let math = vibank::document::read_math(chain).expect("it can be read");
     assert_eq!(math.plain(), "a = b = c; d = e");
+    let sum = "\\begin{aligned} a &= b \\\\ &\\quad {} - c \\\\ -d &= e \\end{aligned}";
+    let math = vibank::document::read_math(sum).expect("it can be read");
+    assert_eq!(math.plain(), "a = b − c; −d = e");
 }
