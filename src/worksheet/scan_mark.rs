@@ -8,6 +8,8 @@
 //! All codes have the same mask and the check is linear, so the modules of any page are those of page 0 with the
 //! modules of its bits inverted: the typesetter, which alone knows the page, needs no more than a table.
 
+use qrcodegen::{Mask, QrCode, QrCodeEcc, QrSegment, Version};
+
 use crate::seed::Variant;
 
 /// Which page of which sheet a page is.
@@ -29,9 +31,6 @@ const LAYOUT: u8 = 0x56;
 
 /// Bytes of a mark, without those that correct errors.
 const BYTES: usize = 7;
-
-/// Bytes that correct errors.
-const CORRECTION: usize = 17;
 
 impl ScanMark {
     /// Modules on a side.
@@ -65,17 +64,17 @@ impl ScanMark {
 
     /// What is printed.
     pub fn modules(self) -> Modules {
-        drawn(&codewords(&self.bytes()))
+        drawn(self.bytes())
     }
 
     /// The modules that are inverted by each bit of the page, from the one that says that it is the last.
     pub fn page_bits() -> [Modules; 8] {
-        let plain = drawn(&codewords(&[0; BYTES]));
+        let plain = drawn([0; BYTES]);
         std::array::from_fn(|bit| {
             let mut bytes = [0, 0, 0, 0, 0, 1 << bit, 0];
             // The check without its constant part, which the plain mark has already.
             bytes[6] = check(&bytes[..6]) ^ check(&[0; 6]);
-            let changed = drawn(&codewords(&bytes));
+            let changed = drawn(bytes);
             std::array::from_fn(|row| changed[row] ^ plain[row])
         })
     }
@@ -90,108 +89,23 @@ fn check(bytes: &[u8]) -> u8 {
     })
 }
 
-/// The data as bytes of a code, and those that correct errors.
-fn codewords(bytes: &[u8; BYTES]) -> [u8; 2 + BYTES + CORRECTION] {
-    let mut words = [0; 2 + BYTES + CORRECTION];
-    // Four bits for bytes, eight for their number, the bytes, and four for the end.
-    let mut left = 0x40 | BYTES as u8 >> 4;
-    let mut rest = (BYTES as u8) << 4;
-    for (at, byte) in bytes.iter().enumerate() {
-        words[at] = left;
-        left = rest | byte >> 4;
-        rest = byte << 4;
-    }
-    words[BYTES] = left;
-    words[BYTES + 1] = rest;
-    let correction = remainder(&words[..BYTES + 2]);
-    words[BYTES + 2..].copy_from_slice(&correction);
-    words
-}
-
-/// The remainder of a division by the generator of Reed and Solomon, the product of all x − 2ⁱ.
-fn remainder(data: &[u8]) -> [u8; CORRECTION] {
-    let mut divisor = [0; CORRECTION];
-    divisor[CORRECTION - 1] = 1;
-    let mut root = 1;
-    for _ in 0..CORRECTION {
-        for at in 0..CORRECTION {
-            let next = divisor.get(at + 1).copied().unwrap_or(0);
-            divisor[at] = product(divisor[at], root) ^ next;
-        }
-        root = product(root, 2);
-    }
-    data.iter().fold([0; CORRECTION], |rest, byte| {
-        let factor = byte ^ rest[0];
-        std::array::from_fn(|at| {
-            rest.get(at + 1).copied().unwrap_or(0) ^ product(divisor[at], factor)
-        })
+/// The modules of these bytes: always of one version, one correction and one mask, so that they are linear in the bytes.
+fn drawn(bytes: [u8; BYTES]) -> Modules {
+    let segment = QrSegment::make_bytes(&bytes);
+    let version = Version::new(1);
+    let code = QrCode::encode_segments_advanced(
+        &[segment],
+        QrCodeEcc::High,
+        version,
+        version,
+        Some(Mask::new(0)),
+        false,
+    );
+    let code = code.expect("seven bytes fit");
+    std::array::from_fn(|y| {
+        let dark = (0..ScanMark::WIDTH).filter(|x| code.get_module(*x as i32, y as i32));
+        dark.map(|x| 1 << x).sum()
     })
-}
-
-/// The product in the field of 256 elements of QR codes.
-fn product(a: u8, b: u8) -> u8 {
-    (0..8).rev().fold(0, |sum: u8, bit| {
-        let doubled = sum << 1 ^ if sum & 0x80 == 0 { 0 } else { 0x1d };
-        doubled ^ if b >> bit & 1 == 1 { a } else { 0 }
-    })
-}
-
-/// The modules of these bytes.
-fn drawn(words: &[u8]) -> Modules {
-    /// The highest error correction and mask 0, with the bits that correct them, from the highest.
-    const FORMAT: u32 = 0b001_0110_1000_1001;
-    const LAST: usize = ScanMark::WIDTH - 1;
-    let mut rows = [0; ScanMark::WIDTH];
-    let mut set = |x: usize, y: usize, is_dark: bool| rows[y] |= u32::from(is_dark) << x;
-    for (left, top) in [(0, 0), (LAST - 6, 0), (0, LAST - 6)] {
-        for y in 0..7_usize {
-            for x in 0..7_usize {
-                let ring = x.abs_diff(3).max(y.abs_diff(3));
-                set(left + x, top + y, ring != 2);
-            }
-        }
-    }
-    for at in (8..=LAST - 8).step_by(2) {
-        set(at, 6, true);
-        set(6, at, true);
-    }
-    for bit in 0..15 {
-        let is_dark = FORMAT >> bit & 1 == 1;
-        match bit {
-            0..6 => set(8, bit, is_dark),
-            6 | 7 => set(8, bit + 1, is_dark),
-            8 => set(7, 8, is_dark),
-            _ => set(14 - bit, 8, is_dark),
-        }
-        if bit < 8 {
-            set(LAST - bit, 8, is_dark);
-        } else {
-            set(8, LAST + bit - 14, is_dark);
-        }
-    }
-    set(8, LAST - 7, true);
-    let mut bits = words
-        .iter()
-        .flat_map(|word| (0..8).rev().map(move |bit| word >> bit & 1 == 1));
-    for pair in 0..10 {
-        // Column 6 is taken; pairs stand right and left of it, read upwards and downwards in turn.
-        let right = if pair < 7 {
-            LAST - 2 * pair
-        } else {
-            LAST - 1 - 2 * pair
-        };
-        for step in 0..=LAST {
-            let y = if pair % 2 == 0 { LAST - step } else { step };
-            for x in [right, right - 1] {
-                let is_taken = y == 6 || y < 9 && (x < 9 || x > LAST - 8) || y > LAST - 8 && x < 9;
-                if !is_taken {
-                    let is_set = bits.next().unwrap_or(false);
-                    set(x, y, is_set ^ ((x + y) % 2 == 0));
-                }
-            }
-        }
-    }
-    rows
 }
 
 #[cfg(test)]
@@ -243,16 +157,5 @@ mod tests {
                 assert_eq!(modules, mark(0xab_cdef_0123, page, is_last).modules());
             }
         }
-    }
-
-    #[test]
-    fn the_generator_is_that_of_the_standard() {
-        // The example of ISO/IEC 18004, annex I, has ten bytes; of 17, the logarithms of its table A.1.
-        let logarithms: [u32; CORRECTION] = [
-            43, 139, 206, 78, 43, 239, 123, 206, 214, 147, 24, 99, 150, 39, 243, 163, 136,
-        ];
-        let power = |exponent| (0..exponent).fold(1, |power, _| product(power, 2));
-        // The remainder of x¹⁷ is the generator without its leading term.
-        assert_eq!(remainder(&[1]), logarithms.map(power));
     }
 }
