@@ -547,7 +547,7 @@ mod tests {
             ("A TIMES B PLUS C", "A * B + C"),
             (
                 "\\underline{\\underline{\\frac{k}{m}}}",
-                "   \\frac{k}{m}  ",
+                "    \\frac{k}{m}  ",
             ),
             ("a!\\;", "a"),
             ("1{\\,}250\\,m", "1 250 m"),
