@@ -39,7 +39,7 @@ impl ScanMark {
     /// The highest page that a mark can name.
     pub const MAX_PAGE: u8 = 127;
 
-    /// Its bytes.
+    /// What the code holds: variant, page, and a check over both.
     pub fn bytes(self) -> [u8; BYTES] {
         let [.., a, b, c, d, e] = self.variant.number().to_be_bytes();
         let page = self.page.min(Self::MAX_PAGE) << 1 | u8::from(self.is_last);

@@ -45,7 +45,7 @@ pub struct Group<'t> {
 pub struct Condition<'t> {
     /// The outermost first.
     pub units: Vec<Side<'t>>,
-    /// What is said.
+    /// The chain, interval or set within the brackets.
     pub said: Said<'t>,
 }
 
@@ -111,7 +111,7 @@ impl<'t> Side<'t> {
 /// Why a response says nothing of values.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum RangeError<'t> {
-    /// It is too long.
+    /// The response has more pieces than are looked at.
     TooLong,
     /// Nothing stands where a condition is due.
     Missing,

@@ -21,7 +21,7 @@ const FILES: usize = 16;
 /// What was read from a file.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) enum Reading {
-    /// Its mark.
+    /// Which page of which sheet it is.
     Mark(ScanMark),
     /// No mark was found.
     None,

@@ -192,7 +192,7 @@ impl<'f> NumberedFigure<'f> {
                 length,
             } = cut;
             if let Some((axis, sense)) = twisted(body, force, moved, out)? {
-                drawn.twist(start, out, axis, label);
+                drawn.twist(start, out, (axis, &sense), label);
                 drawn.actions.push(action(noun, letter, sense));
                 continue;
             }

@@ -2,7 +2,7 @@
 
 use crate::figure::arrow::{Head, Orbit, arrow, bent};
 use crate::figure::element::turn;
-use crate::figure::story::Action;
+use crate::figure::story::{Action, Sense};
 use crate::figure::{Drawing, Label, Pen, Point, Side, Spot, Weight, spots};
 
 /// The radius of the arrow of a moment.
@@ -39,16 +39,32 @@ pub(crate) enum Way {
         /// Whether its head is at the body, so that its letter stands at the other end.
         is_push: bool,
     },
-    /// Round an axis in the plane of the drawing, counterclockwise as seen from its tip.
-    Round { centre: Point, axis: Point },
+    /// Round an axis in the plane of the drawing, counterclockwise as seen from its tip, or the other way round. The axis
+    /// is not turned over for that: the arc would then be seen from the other side, and look like the same turn.
+    Round {
+        centre: Point,
+        axis: Point,
+        is_clockwise: bool,
+    },
 }
 
 impl<'f> Drawn<'f> {
     /// A moment round a link that is cut, which leaves the body at a point.
-    pub(crate) fn twist(&mut self, start: Point, out: Point, axis: Point, label: &'f Label) {
+    pub(crate) fn twist(
+        &mut self,
+        start: Point,
+        out: Point,
+        (axis, sense): (Point, &Sense),
+        label: &'f Label,
+    ) {
         let centre = start + out * ALONG;
+        let is_clockwise = matches!(sense, Sense::AgainstTwist);
         self.arrows.push(Arrow {
-            way: Way::Round { centre, axis },
+            way: Way::Round {
+                centre,
+                axis,
+                is_clockwise,
+            },
             label,
             at: None,
         });
@@ -70,13 +86,20 @@ impl Arrow<'_> {
                 let others = spots::at_tip(inner, outer, self.at);
                 beyond.into_iter().chain(others).collect()
             }
-            Way::Round { centre, axis } => {
+            Way::Round {
+                centre,
+                axis,
+                is_clockwise,
+            } => {
                 let orbit = Orbit {
                     centre: centre + shift,
                     radius: RADIUS,
                     axis: Some(axis),
                 };
-                let (from, to) = turn::FRONT;
+                let (from, to) = match (turn::FRONT, is_clockwise) {
+                    (front, false) => front,
+                    ((from, to), true) => (to, from),
+                };
                 bent(drawing, orbit, from.to_radians(), to.to_radians(), pen);
                 round(orbit)
             }

@@ -102,7 +102,8 @@ pub(crate) fn agrees(
     Err(fault(body, force))
 }
 
-/// The moment of a link that is twisted about its own line: its axis and its sense; nothing if no twist is about it.
+/// The moment of a link that is twisted about its own line: the axis of the twist, and its sense about it; nothing if no
+/// twist is about it.
 pub(crate) fn twisted(
     body: &Body,
     force: &Force,
@@ -119,9 +120,9 @@ pub(crate) fn twisted(
     let Some((axis, is_negative)) = about else {
         return Ok(None);
     };
-    let axis = if is_negative { -axis } else { axis };
+    let moment = if is_negative { -axis } else { axis };
     let does = |motion: &Moved| match motion {
-        Moved::Twist(own) => own.dot(axis),
+        Moved::Twist(own) => own.dot(moment),
         Moved::Along(_) | Moved::Turn(..) => 0.0,
     };
     agrees(body, force, moved.iter().map(does))?;

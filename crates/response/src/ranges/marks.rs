@@ -10,7 +10,7 @@ pub(crate) enum Mark {
     Or,
     And,
     Sign(Bounding),
-    /// `∈`, `in`.
+    /// What says that a value lies in a set, `∈` or `in`.
     Element,
     Bracket(char),
 }
