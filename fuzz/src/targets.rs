@@ -135,7 +135,7 @@ fn shown(solution: &Solution<'_>, item: &Template) {
         .chain(parts.flat_map(|part| [&part.ask, &part.solution]))
     {
         for piece in scene.passage(passage) {
-            written(piece.document, &piece.fillings);
+            written(&piece.document, &piece.fillings);
         }
     }
     for place in 0..item.parts.len() {
