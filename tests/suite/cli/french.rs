@@ -411,16 +411,8 @@ fn derivations_are_french_throughout() {
     }
     assert!(html.contains("Sur le bloc m agissent la force d’un ressort"));
     // Numbers in them have a comma, also in what is said of a figure.
-    assert!(!has_decimal_point(&shown), "{shown}");
+    assert!(!crate::text::decimals::has_decimal_point(&shown), "{shown}");
     assert!(html.contains("deux positions extrêmes du mode 2\u{a0}: x 1,00"));
-}
-
-/// Whether a digit, a point and a digit follow each other anywhere.
-fn has_decimal_point(text: &str) -> bool {
-    let signs: Vec<char> = text.chars().collect();
-    signs
-        .windows(3)
-        .any(|own| own[1] == '.' && own[0].is_ascii_digit() && own[2].is_ascii_digit())
 }
 
 /// What stands for a figure or a plot is said in French, too.

@@ -8,7 +8,7 @@ use vibank::solution::Solution;
 use vibank::unit::DecimalMark;
 
 /// Whether a digit, a point and a digit follow each other anywhere.
-fn has_decimal_point(text: &str) -> bool {
+pub(crate) fn has_decimal_point(text: &str) -> bool {
     let signs: Vec<char> = text.chars().collect();
     signs
         .windows(3)

@@ -1,6 +1,6 @@
 //! Texts and formulas: read, written, read again.
 
 mod corpus;
-mod decimals;
+pub(crate) mod decimals;
 mod documents;
 mod hostile;
