@@ -5,6 +5,7 @@
 //! numbers are printed by `unit`, texts by `document`, and everything else is escaped.
 
 mod chapter;
+mod extent;
 mod fairness;
 mod feedback;
 mod form;

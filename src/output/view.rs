@@ -5,8 +5,8 @@ use std::collections::BTreeMap;
 
 use serde::Serialize;
 
-use super::Writer;
 use super::pages::{PageKind, Run};
+use super::{Writer, extent};
 use crate::answer::{Choosing, Criterion, KeyValue};
 use crate::bank::{Group, Passage, Space, share_in_group};
 use crate::document::{Document, Filling};
@@ -72,29 +72,49 @@ pub(crate) struct QuestionView {
     parts: Vec<PartView>,
 }
 
-/// Millimetres of paper beyond which a question may be torn between its parts: one that is moved whole to the next page
-/// leaves at most the rest of this one empty. A page of A4 has 263.
-const LONG: usize = 200;
+/// Millimetres of paper beyond which a question may be torn between its parts, since it may not fit on a page: one of A4
+/// has 263, and the estimate is up to a tenth off.
+const LONG: usize = 240;
+
+/// The same of the first question. The head of a sheet is above it, and would fill a page alone.
+const LONG_FIRST: usize = 180;
 
 /// The usual size of type in points, rounded.
 const USUAL: usize = 10;
 
 impl QuestionView {
-    /// About how many millimetres of paper it takes: title and statement, figure, and for each part the text and the
-    /// blank, or the options. A rough estimate: a question that is taken for longer may be torn though it would fit.
+    /// About how many millimetres of paper it takes. A rough estimate: a question that is taken for longer may be torn
+    /// though it would fit.
     fn height(&self) -> usize {
-        const HEAD: usize = 40;
-        const FIGURE: usize = 45;
-        let part = |part: &PartView| {
-            let answer = match part.options.len() {
-                0 => 13,
-                count => 6 * (count + 1),
-            };
-            let space = part.space.as_ref().map_or(0, |space| space.height);
-            answer + usize::from(space) + 6 * usize::from(part.group.is_some())
+        /// The title.
+        const HEAD: usize = 10;
+        let texts = [&self.caption, &self.solution].map(|words| extent::text(words));
+        let setting = extent::with_figure(&self.statement, &self.figure);
+        let parts = self.parts.iter().map(PartView::height);
+        HEAD + setting + texts.iter().sum::<usize>() + parts.sum::<usize>()
+    }
+}
+
+impl PartView {
+    /// About how many millimetres of paper it takes, the opening of its group included.
+    fn height(&self) -> usize {
+        /// What is free above it.
+        const GAP: usize = 2;
+        let hints = |hints: &[String]| hints.iter().map(|hint| extent::text(hint)).sum::<usize>();
+        let opening = self.group.as_ref().map_or(0, |group| {
+            extent::text(&group.ask) + hints(&group.hints) + extent::text(&group.solution)
+        });
+        let answer = match (self.options.len(), &self.space, self.kind) {
+            (0, ..) if !self.key.is_empty() => 9,
+            (0, Some(space), _) => usize::from(space.height),
+            (0, None, "matrix") => 20,
+            (0, None, "equation" | "function") => 15,
+            (0, None, "formula" | "interval" | "mode-shape") => 12,
+            (0, None, _) => 7,
+            (count, ..) => 6 * count + 2,
         };
-        let figure = if self.figure.is_empty() { 0 } else { FIGURE };
-        HEAD + figure + self.parts.iter().map(part).sum::<usize>()
+        let texts = extent::text(&self.ask) + hints(&self.hints) + extent::text(&self.solution);
+        opening + texts + answer + 5 * self.rubric.len() + GAP
     }
 }
 
@@ -324,7 +344,12 @@ impl<'p> View<'p> {
             .spoken(self.run.spoken());
         let mut view = self.shown(&scene, question);
         let size = sheet.student.as_ref().and_then(|student| student.type_size);
-        view.is_long = view.height() > size.map_or(LONG, |size| LONG * USUAL / usize::from(size));
+        let long = if question.number == 1 {
+            LONG_FIRST
+        } else {
+            LONG
+        };
+        view.is_long = view.height() > size.map_or(long, |size| long * USUAL / usize::from(size));
         view
     }
 

@@ -6,6 +6,7 @@ use vibank::worksheet::{Manifest, VariantEntry};
 
 use crate::cli::files;
 use crate::cli::folder::Folder;
+use crate::cli::table::composed;
 
 /// A student, as the manifests of a run know them.
 pub(crate) struct Person {
@@ -30,8 +31,11 @@ impl Person {
                 .flat_map(|(_, manifest)| &manifest.variants)
         };
         let code = wanted.trim().to_uppercase();
-        let id = if entries().any(|entry| id_of(entry) == Some(wanted)) {
-            Some(wanted.to_owned())
+        // A keyboard may write an accent as a letter of its own, and so did lists that were read by an early version.
+        let typed = composed(wanted.to_owned());
+        let is_meant = |id: &&str| composed((*id).to_owned()) == typed;
+        let id = if let Some(id) = entries().filter_map(id_of).find(is_meant) {
+            Some(id.to_owned())
         } else {
             let found = entries().find(|entry| entry.code == code)?;
             id_of(found).map(str::to_owned)

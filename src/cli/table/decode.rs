@@ -1,5 +1,7 @@
 //! The text of a table in the encodings that spreadsheets save.
 
+use unicode_normalization::{UnicodeNormalization as _, is_nfc};
+
 /// A text, and whether its encoding had to be guessed.
 #[derive(Debug, PartialEq)]
 pub(crate) struct Decoded {
@@ -50,10 +52,10 @@ const WINDOWS: [Option<char>; 32] = [
     Some('Ÿ'),
 ];
 
-/// Reads UTF-8, UTF-16 with or without a mark of byte order, and all else as Windows-1252.
+/// Reads UTF-8, UTF-16 with or without a mark of byte order, and all else as Windows-1252; accents are [`composed`].
 pub(crate) fn decode(bytes: Vec<u8>) -> Result<Decoded, NoText> {
     let certain = |text| Decoded {
-        text,
+        text: composed(text),
         is_guessed: false,
     };
     match bytes.as_slice() {
@@ -124,6 +126,16 @@ fn windows(bytes: &[u8]) -> Result<Decoded, NoText> {
         text,
         is_guessed: true,
     })
+}
+
+/// A text with each accent in one character with its letter. Some systems save `é` as `e` and an accent: the same id
+/// from two files would be two students.
+pub(crate) fn composed(text: String) -> String {
+    if is_nfc(&text) {
+        text
+    } else {
+        text.nfc().collect()
+    }
 }
 
 /// The line of a byte.

@@ -6,6 +6,7 @@ mod dialect;
 pub(crate) mod workbook;
 
 pub(crate) use self::cells::{Broken, RowFault, TableRow};
+pub(crate) use self::decode::composed;
 pub(crate) use self::dialect::Dialect;
 pub(crate) use self::workbook::Spoilt;
 

@@ -12,7 +12,8 @@ pub(crate) static CAPACITOR: Branch = Branch {
     name: "capacitor",
     link: "capacitor",
     length: 0.2,
-    half_width: HALF,
+    // A letter hard by the end of a plate would be read together with it.
+    half_width: HALF + 0.1,
     symbol,
 };
 

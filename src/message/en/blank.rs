@@ -86,7 +86,7 @@ pub(crate) fn blank(blank: &Blank) -> Document {
         None => {}
     }
     match blank.form {
-        Asked::Values { is_ordered: true } => line.say(", in the order asked"),
+        Asked::Values { is_ordered: true } => line.say(", in the order asked for"),
         Asked::Values { is_ordered: false } => line.say(", in any order"),
         _ => {}
     }

@@ -105,6 +105,21 @@ fn what_is_left_of_shared_files_is_what_the_others_had() {
     assert_eq!(desk.text("sheets.html"), now);
 }
 
+/// An accent is part of its letter in one file, and a letter of its own in the next, as systems save it.
+#[test]
+fn an_id_is_the_same_in_both_spellings_of_an_accent() {
+    let desk = Desk::new("forget-accents");
+    desk.class(&["ren\u{e9}", "ana"].map(str::to_owned));
+    let plan = desk.short_plan("Accents");
+    desk.sheet(&plan, &[]).ends(0);
+    let own = code(&desk, "ren\u{e9}");
+    desk.class(&["rene\u{301}", "ana"].map(str::to_owned));
+    desk.sheet(&plan, &[]).ends(0);
+    assert_eq!(code(&desk, "ren\u{e9}"), own);
+    desk.forget("rene\u{301}", &[]).ends(0);
+    assert!(with(&desk.out, &["ren\u{e9}"]).is_empty());
+}
+
 #[test]
 fn earlier_runs_and_copies_forget_too() {
     let desk = Desk::with_class("forget-kept", 4);

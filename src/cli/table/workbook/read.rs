@@ -9,6 +9,7 @@ use zip::ZipArchive;
 
 use super::places::misleading;
 use super::{Spoilt, WorkbookSheet};
+use crate::cli::table::composed;
 
 /// Bytes of all files in a workbook, unpacked: a workbook of 30,000 rows has a tenth of it. What is packed may be a
 /// thousand times as much.
@@ -117,7 +118,7 @@ fn cells(book: &mut Xlsx<Cursor<&[u8]>>, name: &str) -> Result<WorkbookSheet, St
 
 /// What a cell shows, and what has become of it.
 fn written(value: &DataRef<'_>) -> (String, Option<Spoilt>) {
-    let trimmed = |text: &str| text.trim().to_owned();
+    let trimmed = |text: &str| composed(text.trim().to_owned());
     match value {
         DataRef::Empty => (String::new(), None),
         DataRef::Int(number) => (number.to_string(), None),
