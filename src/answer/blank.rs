@@ -18,7 +18,7 @@ pub struct Blank {
     pub letters: Vec<Letter>,
     /// The unit of the numbers, where they have one.
     pub unit: Option<Unit>,
-    /// The significant figures of the numbers.
+    /// The significant figures of the numbers; none where there are no numbers, or where they are exact.
     pub figures: Option<u32>,
 }
 
@@ -119,6 +119,13 @@ impl Blank {
             figures: Some(figures),
             ..self
         }
+    }
+
+    /// The same for exact numbers.
+    #[must_use]
+    pub(crate) fn without_figures(self) -> Self {
+        let figures = None;
+        Self { figures, ..self }
     }
 
     /// The same for formulas in these letters, each printed once.

@@ -60,6 +60,8 @@ struct Numeric {
     is_complex: bool,
     is_list: bool,
     is_ordered: bool,
+    /// Whether the key is a number such as 0 or 90°, of which no figures are asked for.
+    is_exact: bool,
     ask_digits: Option<u32>,
     digits_penalty: Credit,
     /// Significant figures that are asked for, which the tolerance follows.
@@ -79,6 +81,7 @@ pub(crate) fn read(part: &Table<'_>, declare: &mut dyn Declare) -> Option<Box<dy
         part.text("modulo"),
     );
     let is_ordered = part.boolean("ordered").unwrap_or(false);
+    let is_exact = part.boolean("exact").unwrap_or(false);
     let ask_digits = part.integer("ask_digits", "an integer from 1 to 12", 1..=12);
     let penalty = part
         .value("digits_penalty")
@@ -133,6 +136,7 @@ pub(crate) fn read(part: &Table<'_>, declare: &mut dyn Declare) -> Option<Box<dy
         is_complex: kind.field() == Field::Complex,
         is_list,
         is_ordered,
+        is_exact,
         ask_digits: ask_digits.map(|digits| digits as u32),
         digits_penalty,
         figures: ask_digits.map_or(u32::from(declare.figures()), |digits| digits as u32),
@@ -161,6 +165,7 @@ pub(crate) fn of_formula(
         is_complex: false,
         is_list: false,
         is_ordered: false,
+        is_exact: false,
         ask_digits: None,
         digits_penalty: Credit::NONE,
     };
@@ -247,8 +252,12 @@ impl Answer for Numeric {
             (false, true) => Asked::ComplexValue,
             (false, false) => Asked::Value,
         };
-        let figures = self.figures;
-        Blank::of(form).with_numbers(Some(self.unit), figures)
+        let blank = Blank::of(form).with_numbers(Some(self.unit), self.figures);
+        if self.is_exact {
+            blank.without_figures()
+        } else {
+            blank
+        }
     }
 
     fn keys(&self) -> Vec<NodeId> {

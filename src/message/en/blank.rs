@@ -9,8 +9,10 @@ use crate::unit::Unit;
 pub(crate) fn blank(blank: &Blank) -> Document {
     let mut line = Line(vec![Inline::Text("(".to_owned())]);
     match &blank.form {
+        Asked::Value if blank.figures.is_none() => line.say("exact value"),
         Asked::Value => line.say("value"),
         Asked::ComplexValue => line.say("complex number"),
+        Asked::Values { .. } if blank.figures.is_none() => line.say("exact values"),
         Asked::Values { .. } => line.say("values"),
         Asked::Integer => line.say("integer"),
         Asked::Formula => {

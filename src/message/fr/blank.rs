@@ -10,8 +10,10 @@ use crate::unit::Unit;
 pub(crate) fn blank(blank: &Blank) -> Document {
     let mut line = Line(vec![Inline::Text("(".to_owned())]);
     match &blank.form {
+        Asked::Value if blank.figures.is_none() => line.say("valeur exacte"),
         Asked::Value => line.say("valeur"),
         Asked::ComplexValue => line.say("nombre complexe"),
+        Asked::Values { .. } if blank.figures.is_none() => line.say("valeurs exactes"),
         Asked::Values { .. } => line.say("valeurs"),
         Asked::Integer => line.say("nombre entier"),
         Asked::Formula => {
