@@ -3,11 +3,13 @@
 //! It carries the texts of one sheet as they were made, and items [without anything that could compute a
 //! key](crate::bank::Template::stripped), by which it says how an answer is read.
 
+use base64::Engine as _;
+use base64::engine::general_purpose::STANDARD;
 use serde::Serialize;
 use sha2::{Digest, Sha256};
 use tera::{Context, Tera};
 
-use super::layouts::{self, OutputError, base64, base93};
+use super::layouts::{self, OutputError, base93};
 use super::page::{GRADER, LEVEL, in_script, texts, unspaced};
 use crate::bank::Compiled;
 use crate::worksheet::Practice;
@@ -110,7 +112,10 @@ pub fn form(
     context.insert("items", &base93(&items));
     context.insert("grader", &base93(GRADER));
     context.insert("script", script);
-    context.insert("script_digest", &base64(&Sha256::digest(script.as_bytes())));
+    context.insert(
+        "script_digest",
+        &STANDARD.encode(Sha256::digest(script.as_bytes())),
+    );
     tera.render("form.html", &context)
         .map_err(|error| fail(error.to_string()))
 }

@@ -2,6 +2,8 @@
 
 use std::borrow::Cow;
 
+use base64::Engine as _;
+use base64::engine::general_purpose::STANDARD;
 use include_dir::{Dir, include_dir};
 use serde::Serialize;
 use tera::{Context, Delimiters, Kwargs, State, Tera, Value};
@@ -129,7 +131,7 @@ pub(crate) fn style() -> &'static str {
 
 /// The math font in base 64.
 pub(crate) fn font() -> String {
-    base64(font_file())
+    STANDARD.encode(font_file())
 }
 
 /// The file of the math font.
@@ -156,27 +158,6 @@ fn css(words: &str) -> String {
             out.push_str(&format!("\\{:x} ", u32::from(sign).max(1)));
         } else {
             out.push(sign);
-        }
-    }
-    out
-}
-
-/// Base 64 with padding, RFC 4648, section 4.
-pub(crate) fn base64(bytes: &[u8]) -> String {
-    const DIGITS: &[u8; 64] = b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    let mut out = String::with_capacity(bytes.len().div_ceil(3) * 4);
-    for chunk in bytes.chunks(3) {
-        let word = chunk
-            .iter()
-            .fold(0_u32, |word, byte| word << 8 | u32::from(*byte))
-            << (8 * (3 - chunk.len()));
-        for place in 0..4 {
-            let digit = DIGITS[(word >> (18 - 6 * place) & 63) as usize];
-            out.push(if place <= chunk.len() {
-                char::from(digit)
-            } else {
-                '='
-            });
         }
     }
     out
@@ -214,21 +195,7 @@ pub(crate) fn base93(bytes: &[u8]) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::{base64, base93, css};
-
-    /// The test vectors of RFC 4648, section 10.
-    #[test]
-    fn base64_as_the_standard_has_it() {
-        for (bytes, text) in [
-            ("", ""),
-            ("f", "Zg=="),
-            ("fo", "Zm8="),
-            ("foo", "Zm9v"),
-            ("foob", "Zm9vYg=="),
-        ] {
-            assert_eq!(base64(bytes.as_bytes()), text);
-        }
-    }
+    use super::{base93, css};
 
     /// Titles and names stay within the string of CSS and the `style` element that they stand in.
     #[test]

@@ -3,10 +3,12 @@
 //! Nothing is fetched: the page works from a disk. Its program may run only as it was written here (a content
 //! security policy names its digest), and all texts are written by the grader, which escapes them.
 
+use base64::Engine as _;
+use base64::engine::general_purpose::STANDARD;
 use sha2::{Digest, Sha256};
 use tera::{Context, Tera};
 
-use super::layouts::{self, OutputError, base64, base93};
+use super::layouts::{self, OutputError, base93};
 use crate::bank::Compiled;
 use crate::document::Filling;
 use crate::message::Language;
@@ -84,7 +86,10 @@ fn page(
     context.insert("font", &base93(layouts::font_file()));
     context.insert("course", &course.map(in_script));
     context.insert("script", script);
-    context.insert("script_digest", &base64(&Sha256::digest(script.as_bytes())));
+    context.insert(
+        "script_digest",
+        &STANDARD.encode(Sha256::digest(script.as_bytes())),
+    );
     let items = practice.lines(items);
     let items = miniz_oxide::deflate::compress_to_vec(items.as_bytes(), LEVEL);
     context.insert("items", &base93(&items));
