@@ -112,6 +112,17 @@ impl Key {
             value: KeyValue::Formula { text, latex },
         }
     }
+
+    /// Its number in SI units, where it is one.
+    pub(crate) fn number(&self) -> Option<f64> {
+        match &self.value {
+            KeyValue::Numbers { si, .. } => match si[..] {
+                [number] => Some(number),
+                _ => None,
+            },
+            _ => None,
+        }
+    }
 }
 
 /// A key as programs get it.

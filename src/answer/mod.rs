@@ -189,6 +189,11 @@ pub trait Marker {
     /// The key as it is printed and as programs get it.
     fn key(&self) -> Key;
 
+    /// The number of the key in SI units, where it is one.
+    fn number(&self) -> Option<f64> {
+        self.key().number()
+    }
+
     /// Marks a response that is not empty.
     fn mark(&self, response: &str) -> Marking;
 

@@ -18,7 +18,7 @@ use serde::Serialize;
 use self::fault::QuestionFault;
 pub use self::part::PartExamined;
 use self::part::Tally;
-use crate::answer::{AnswerKind, KeyValue};
+use crate::answer::AnswerKind;
 use crate::bank::{Rule, Template};
 use crate::diagnostic::Finding;
 use crate::expr::Name;
@@ -338,14 +338,7 @@ fn number(solution: &Solution<'_>, place: usize) -> Option<(usize, f64, String)>
     if answer.kind() != AnswerKind::Numeric {
         return None;
     }
-    match &solution.key(place).ok()?.value {
-        KeyValue::Numbers { si, .. } => match si.as_slice() {
-            [number] if *number != 0.0 => {
-                let printed = Decimal::rounded(*number, answer.figures())?;
-                Some((place, *number, printed.to_string()))
-            }
-            _ => None,
-        },
-        _ => None,
-    }
+    let number = solution.number(place).filter(|own| *own != 0.0)?;
+    let printed = Decimal::rounded(number, answer.figures())?;
+    Some((place, number, printed.to_string()))
 }

@@ -19,7 +19,7 @@ pub use among::mark_among;
 pub use feedback::{Comment, Feedback, PartFeedback, QuestionFeedback, remarks};
 pub use pattern::pattern;
 pub use points::{of_marking, rounded, standing};
-pub use responses::{Place, Responses, Row, RowError};
+pub use responses::{Given, Place, Responses, Row, RowError};
 
 use crate::answer::{AnswerKind, Credit, Echo, Marker, Marking, Unreadable, Why};
 use crate::response::{Folded, withdrawn};
@@ -175,16 +175,18 @@ impl Grade {
             all[*place] = TypedResponse::new(response);
         }
         let mut grade = Self::default();
-        // What later parts go on from: also what was answered in the other form.
-        let mut earlier: Vec<(usize, Marking)> = Vec::new();
+        // What later parts go on from in place of a marking: what was answered in the other form.
+        let mut others: Vec<Option<Marking>> = Vec::new();
         for (place, _) in responses {
             let response = &all[place];
             let first = among::marked(solution, place, &all);
             let first = form::otherwise(solution, place, response, &first, sheet).unwrap_or(first);
-            let followed = follow::follow(solution, place, response, &first, &earlier);
+            let earlier = grade.parts.iter().zip(&others);
+            let earlier =
+                earlier.map(|((place, own), other)| (*place, other.as_ref().unwrap_or(own)));
+            let followed = follow::follow(solution, place, response, &first, earlier);
             let marking = followed.unwrap_or(first);
-            let standing = form::standing(solution, place, response, &marking);
-            earlier.push((place, standing.unwrap_or_else(|| marking.clone())));
+            others.push(form::standing(solution, place, response, &marking));
             grade.parts.push((place, marking));
         }
         grade

@@ -1,6 +1,6 @@
 //! What a wrong answer is, worded so that alike ones of different variants are recognized.
 
-use crate::answer::{KeyValue, Marking};
+use crate::answer::Marking;
 use crate::solution::Solution;
 use crate::unit::Decimal;
 
@@ -9,9 +9,8 @@ pub fn pattern(solution: &Solution<'_>, place: usize, marking: &Marking) -> Opti
     const MAX_LENGTH: usize = 80;
     let reading = marking.reading.as_ref()?;
     if let [number] = reading.answered.si()[..]
-        && let Ok(KeyValue::Numbers { si, .. }) =
-            solution.marker(place).map(|marker| marker.key().value)
-        && let [key] = si[..]
+        && let Ok(marker) = solution.marker(place)
+        && let Some(key) = marker.number()
         && key != 0.0
     {
         let ratio = Decimal::rounded(number / key, 3)?;

@@ -68,9 +68,21 @@ pub enum RowError {
     },
 }
 
+/// What a file holds for a place.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Given<'r> {
+    /// What was answered; empty if that is nothing.
+    pub text: &'r str,
+    /// Whether something was answered, though the file does not say what: `text` is a line that could not be read, or
+    /// answers that contradict each other.
+    pub is_open: bool,
+    /// The line of the row that counts, where there is one.
+    pub line: Option<usize>,
+}
+
 /// The responses of a file, one for each place, held compactly.
 ///
-/// Where something was answered and the file does not say what, the place is [open](Self::open): it is neither an
+/// Where something was answered and the file does not say what, the place is [open](Given::is_open): it is neither an
 /// answer nor a missing one.
 #[derive(Debug, Default)]
 pub struct Responses {
@@ -189,26 +201,25 @@ impl Responses {
         errors
     }
 
-    /// The response at a place, if it has a row that says it.
-    pub fn get(&self, place: &Place) -> Option<&str> {
-        let row = &self.rows[self.find(place).ok()?];
-        (!row.is_open).then(|| self.slice(&row.response))
-    }
-
-    /// The line of the row that counts for a place.
-    pub fn line(&self, place: &Place) -> Option<usize> {
-        Some(self.rows[self.find(place).ok()?].line)
-    }
-
-    /// What the file holds for a place at which something was answered, though it does not say what: a line that could
-    /// not be read, or answers that contradict each other.
-    pub fn open(&self, place: &Place) -> Option<&str> {
+    /// What the file holds for a place; nothing where nothing was handed in.
+    pub fn given(&self, place: &Place) -> Given<'_> {
         match self.find(place) {
             Ok(found) => {
                 let row = &self.rows[found];
-                row.is_open.then(|| self.slice(&row.response))
+                Given {
+                    text: self.slice(&row.response),
+                    is_open: row.is_open,
+                    line: Some(row.line),
+                }
             }
-            Err(_) => self.open_sheets.get(&place.code).map(String::as_str),
+            Err(_) => self
+                .open_sheets
+                .get(&place.code)
+                .map_or_else(Given::default, |text| Given {
+                    text,
+                    is_open: true,
+                    line: None,
+                }),
         }
     }
 
@@ -338,19 +349,25 @@ mod tests {
         }
     }
 
+    /// What is held for the place, and whether it is open.
+    fn given(kept: &Responses) -> (&str, bool) {
+        let given = kept.given(&place());
+        (given.text, given.is_open)
+    }
+
     #[test]
     fn equal_and_empty_rows_agree() {
         let rows = [row(2, ""), row(3, "5 m"), row(4, " 5 m "), row(5, "")];
         let (kept, errors) = Responses::collect(rows);
-        assert_eq!(kept.get(&place()), Some("5 m"));
+        assert_eq!(given(&kept), ("5 m", false));
+        assert_eq!(kept.given(&place()).line, Some(3));
         assert!(errors.is_empty());
     }
 
     #[test]
     fn rows_that_contradict_each_other_leave_their_place_open() {
         let (kept, errors) = Responses::collect([row(2, "5 m"), row(3, "6 m"), row(4, "5 m")]);
-        assert_eq!(kept.get(&place()), None);
-        assert_eq!(kept.open(&place()), Some("5 m | 6 m"));
+        assert_eq!(given(&kept), ("5 m | 6 m", true));
         assert_eq!(errors.len(), 1);
         let words = errors[0].to_string();
         assert!(
@@ -376,18 +393,12 @@ mod tests {
         let mut kept = Responses::default();
         kept.add_open(&row(2, "\"5 m"));
         assert_eq!(kept.settle(), []);
-        assert_eq!(
-            (kept.get(&place()), kept.open(&place())),
-            (None, Some("\"5 m"))
-        );
+        assert_eq!(given(&kept), ("\"5 m", true));
         assert_eq!(kept.unclaimed(), []);
         // Typed once more in a line of its own, it is known.
         kept.add(&row(3, "5 m"));
         assert_eq!(kept.settle(), []);
-        assert_eq!(
-            (kept.get(&place()), kept.open(&place())),
-            (Some("5 m"), None)
-        );
+        assert_eq!(given(&kept), ("5 m", false));
     }
 
     #[test]
@@ -399,14 +410,14 @@ mod tests {
         let mut kept = Responses::default();
         assert!(kept.add(&shifted).is_some());
         kept.settle();
-        assert_eq!(kept.open(&place()), Some("1"));
+        assert_eq!(given(&kept), ("1", true));
         kept.add(&row(3, "5 m"));
         kept.settle();
-        assert_eq!(kept.open(&place()), None);
+        assert_eq!(given(&kept), ("5 m", false));
         let other = Place {
             code: "XY7".to_owned(),
             ..place()
         };
-        assert_eq!(kept.open(&other), None);
+        assert_eq!(kept.given(&other), Given::default());
     }
 }

@@ -428,7 +428,21 @@ impl Pages {
     ///
     /// [`OutputError::Page`].
     pub fn page(&self, kind: PageKind, sheet: &Sheet<'_>) -> Result<Page, OutputError> {
-        let view = View::new(self.writer, &self.run, kind);
+        self.page_with(kind, sheet, None)
+    }
+
+    /// The same; `keys` are the answers of the sheet, where they are written already.
+    ///
+    /// # Errors
+    ///
+    /// [`OutputError::Page`].
+    pub fn page_with(
+        &self,
+        kind: PageKind,
+        sheet: &Sheet<'_>,
+        keys: Option<&KeyRow>,
+    ) -> Result<Page, OutputError> {
+        let view = View::new(self.writer, &self.run, kind).with_keys(keys);
         let content = Content {
             run: &self.run,
             sheet: view.sheet(sheet),

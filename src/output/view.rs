@@ -5,6 +5,7 @@ use std::collections::BTreeMap;
 
 use serde::Serialize;
 
+use super::key_table::KeyRow;
 use super::pages::{PageKind, Run};
 use super::{Writer, extent};
 use crate::answer::{Choosing, Criterion, KeyValue};
@@ -199,6 +200,8 @@ pub(crate) struct View<'p> {
     writer: &'static dyn Writer,
     run: &'p Run,
     kind: PageKind,
+    /// The answers of the sheet, where they are written already.
+    keys: Option<&'p KeyRow>,
     pictures: RefCell<BTreeMap<String, String>>,
 }
 
@@ -217,8 +220,14 @@ impl<'p> View<'p> {
             writer,
             run,
             kind,
+            keys: None,
             pictures: RefCell::default(),
         }
+    }
+
+    /// The same with the answers of the sheet as they are written already.
+    pub(crate) fn with_keys(self, keys: Option<&'p KeyRow>) -> Self {
+        Self { keys, ..self }
     }
 
     /// The figures that were met: the name of each, and its SVG.
@@ -391,17 +400,23 @@ impl<'p> View<'p> {
         let has_space = |space: &Space| self.kind == PageKind::Sheet && *space != Space::None;
         let spaces = question.spaces.iter().copied();
         let spaces = spaces.map(|space| Some(space).filter(has_space));
+        let keys = self
+            .keys
+            .and_then(|row| row.questions.get(question.number - 1));
+        let keys = keys.map_or(&[][..], |keys| &keys.cells);
+        let keys = keys.iter().map(Some).chain(std::iter::repeat(None));
         view.parts = headings
             .into_iter()
             .zip(parts.zip(spaces))
-            .map(|(heading, ((place, points), space))| PartView {
+            .zip(keys)
+            .map(|((heading, ((place, points), space)), key)| PartView {
                 group: heading.opened().map(|(letter, group)| {
                     let points = question.points_of(group);
                     self.group(scene, letter, group, points)
                 }),
                 letter: heading.letter.clone(),
                 space: space.map(SpaceView::of),
-                ..self.part(scene, *place, *points)
+                ..self.part(scene, *place, *points, key)
             })
             .collect();
         view
@@ -438,7 +453,14 @@ impl<'p> View<'p> {
         }
     }
 
-    fn part(&self, scene: &Scene<'_, '_>, place: usize, points: Rational) -> PartView {
+    /// A part; `written` is its answer, where that is written already.
+    fn part(
+        &self,
+        scene: &Scene<'_, '_>,
+        place: usize,
+        points: Rational,
+        written: Option<&String>,
+    ) -> PartView {
         let solution = scene.solution();
         let part = &solution.template().parts[place];
         let texts = |passage| self.texts(scene, passage);
@@ -474,7 +496,8 @@ impl<'p> View<'p> {
             }
             PageKind::Key | PageKind::Solutions => match scene.key(place) {
                 Ok(Some(key)) => {
-                    view.key = self.writer.math(&key, self.run.voice());
+                    let write = || self.writer.math(&key, self.run.voice());
+                    view.key = written.map_or_else(write, String::clone);
                     view.accepted = self.accepted(solution, place);
                 }
                 Ok(None) if self.kind == PageKind::Solutions => {}

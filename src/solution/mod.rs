@@ -190,6 +190,14 @@ impl<'t> Solution<'t> {
         printed.as_ref().map_err(Clone::clone)
     }
 
+    /// The number of the key of a part in SI units, where it is one; nothing is typeset for it.
+    pub fn number(&self, place: usize) -> Option<f64> {
+        match self.key_alone(place) {
+            Some(key) => key.as_ref().ok()?.number(),
+            None => self.marker(place).ok()?.number(),
+        }
+    }
+
     /// The key of a part from a kind that has it without what marks.
     fn key_alone(&self, place: usize) -> Option<&Result<Arc<Key>, Absent>> {
         let answer = &self.template().parts[place].answer;

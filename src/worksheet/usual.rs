@@ -5,7 +5,6 @@ use std::collections::BTreeMap;
 use super::draw::asked;
 use super::plan::Planned;
 use super::sheet::SheetQuestion;
-use crate::answer::KeyValue;
 use crate::bank::Template;
 use crate::instance::Instance;
 use crate::seed::Seed;
@@ -92,13 +91,7 @@ impl Usual {
 
 /// The size of the answer to a part that is one number.
 pub(crate) fn size(solution: &Solution<'_>, part: usize) -> Option<f64> {
-    match &solution.key(part).ok()?.value {
-        KeyValue::Numbers { si, .. } => match si.as_slice() {
-            [number] => Some(number.abs()),
-            _ => None,
-        },
-        _ => None,
-    }
+    solution.number(part).map(f64::abs)
 }
 
 /// The middle one of some sizes, if they differ and it is not zero.

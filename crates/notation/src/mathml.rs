@@ -111,7 +111,7 @@ impl Math {
 /// Appends text as HTML content or attribute value.
 pub fn escape(out: &mut String, text: &str) {
     let mut rest = text;
-    while let Some(at) = rest.find(['&', '<', '>', '"', '\'']) {
+    while let Some(at) = rest.bytes().position(is_markup) {
         out.push_str(&rest[..at]);
         out.push_str(match rest.as_bytes()[at] {
             b'&' => "&amp;",
@@ -125,9 +125,14 @@ pub fn escape(out: &mut String, text: &str) {
     out.push_str(rest);
 }
 
+/// Whether a byte is a sign that markup would take for its own.
+fn is_markup(byte: u8) -> bool {
+    matches!(byte, b'&' | b'<' | b'>' | b'"' | b'\'')
+}
+
 /// Escapes what has been written since a place, which mostly needs nothing.
 fn escape_from(out: &mut String, start: usize) {
-    if out[start..].contains(['&', '<', '>', '"', '\'']) {
+    if out[start..].bytes().any(is_markup) {
         let text = out.split_off(start);
         escape(out, &text);
     }

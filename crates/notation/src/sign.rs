@@ -18,7 +18,9 @@ pub struct Sign {
 impl Sign {
     /// The sign of a character.
     pub fn of(char: char) -> Option<&'static Self> {
-        SIGNS.iter().find(|sign| sign.char == char)
+        // Most of what is looked up is none: letters and digits of formulas.
+        let mut signs = SIGNS.iter().filter(|_| !char.is_ascii_alphanumeric());
+        signs.find(|sign| sign.char == char)
     }
 }
 

@@ -343,6 +343,13 @@ impl Numbers {
 }
 
 impl Marker for Numbers {
+    fn number(&self) -> Option<f64> {
+        match &self.targets[..] {
+            [target] => Some(target.value),
+            _ => None,
+        }
+    }
+
     fn key(&self) -> Key {
         let numbers: Vec<f64> = self.targets.iter().map(|target| target.value).collect();
         let math = match &numbers[..] {

@@ -87,18 +87,17 @@ impl Marker<'_> {
                 question: question.number,
                 part: entry.letter.clone(),
             };
-            let open = self.responses.open(&at);
-            let given = open.or_else(|| self.responses.get(&at)).unwrap_or_default();
-            let alike = AlikeAnswers::new(template.id.as_str(), &entry.id, given);
+            let given = self.responses.given(&at);
+            let alike = AlikeAnswers::new(template.id.as_str(), &entry.id, given.text);
             Answered {
                 entry,
                 place,
                 max: exact(entry.points),
                 is_by_hand: template.parts[place].answer.kind().is_by_hand(),
-                given,
-                is_open: open.is_some(),
+                given: given.text,
+                is_open: given.is_open,
                 ruling: self.decisions.ruling(&at, &alike),
-                line: self.responses.line(&at),
+                line: given.line,
             }
         });
         Ok(answered.collect())

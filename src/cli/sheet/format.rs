@@ -163,7 +163,8 @@ impl Format {
             return Ok(WrittenSheet::Kept(row));
         }
         let kinds = laid.kinds.iter();
-        let leaves = kinds.map(|(kind, begin)| laid.leaf(*kind, begin, sheet, stem, out));
+        let keys = row.as_ref();
+        let leaves = kinds.map(|(kind, begin)| laid.leaf(*kind, begin, sheet, keys, stem, out));
         Ok(WrittenSheet::Pages(leaves.collect::<Result<_, _>>()?, row))
     }
 }
@@ -221,10 +222,11 @@ impl Laid {
         kind: PageKind,
         begin: &str,
         sheet: &Sheet<'_>,
+        keys: Option<&KeyRow>,
         stem: &str,
         out: &Folder,
     ) -> Result<Leaf, Failure> {
-        let page = self.pages.page(kind, sheet).map_err(unfilled)?;
+        let page = self.pages.page_with(kind, sheet, keys).map_err(unfilled)?;
         let (mut files, mut unprinted) = (BTreeMap::new(), Vec::new());
         for (name, svg) in &page.pictures {
             let digest = self.place(name, svg, out, &mut unprinted)?;

@@ -159,6 +159,10 @@ impl KnownFiles {
         let own = shard.named("manifest", "json");
         let others = self.manifests.keys().filter(|name| **name != own);
         let stale = others.filter(|_| shard.is_whole());
+        // A folder that was empty needs no look at what was written to it.
+        if self.manifests.is_empty() {
+            return 0;
+        }
         let Some(made) = Held::read(out, &own) else {
             return 0;
         };

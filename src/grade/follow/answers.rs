@@ -47,9 +47,9 @@ pub(crate) struct Answers {
 impl Answers {
     /// What the responses with these markings stand for, and what follows from them for the part at a place; of several
     /// for one quantity the last one.
-    pub(crate) fn given(
+    pub(crate) fn given<'m>(
         solution: &Solution<'_>,
-        earlier: &[(usize, Marking)],
+        earlier: impl Iterator<Item = (usize, &'m Marking)>,
         later: usize,
     ) -> Self {
         let mut answers = Self {
@@ -58,12 +58,12 @@ impl Answers {
         };
         let (mut equations, mut are_right) = (Vec::new(), true);
         for (place, marking) in earlier {
-            let part = &solution.template().parts[*place];
+            let part = &solution.template().parts[place];
             let kind = part.answer.kind();
             let Some(reading) = marking
                 .reading
                 .as_ref()
-                .filter(|_| has_dimension(solution, *place, marking))
+                .filter(|_| has_dimension(solution, place, marking))
             else {
                 continue;
             };

@@ -31,15 +31,15 @@ use crate::solution::Solution;
 use self::answers::{Answers, Own, Source};
 
 /// The marking of a response to the part at `place` as a follow-through of earlier markings, if it is one.
-pub(crate) fn follow(
+pub(crate) fn follow<'m>(
     solution: &Solution<'_>,
     place: usize,
     response: &TypedResponse<'_>,
     first: &Marking,
-    earlier: &[(usize, Marking)],
+    earlier: impl ExactSizeIterator<Item = (usize, &'m Marking)>,
 ) -> Option<Marking> {
     let is_open = matches!(first.verdict, Verdict::Wrong | Verdict::Partial);
-    if !is_open || earlier.is_empty() {
+    if !is_open || earlier.len() == 0 {
         return None;
     }
     let answers = Answers::given(solution, earlier, place);

@@ -11,10 +11,11 @@ impl Folder<'_> {
     /// The words between spaces that stand here, by their length, if others or a sign stand for them.
     pub(crate) fn word(&self) -> Option<(usize, &'static str)> {
         let before = &self.typed[self.answer.start..self.at];
-        if !(before.is_empty() || before.ends_with(' ')) {
+        let rest = self.rest();
+        let begins = before.is_empty() || before.ends_with(' ');
+        if !begins || !rest.starts_with(char::is_alphabetic) {
             return None;
         }
-        let rest = self.rest();
         let of_words = |rest: &str| {
             let is_same = |head: &str, word: &str| {
                 head == word || self.is_shouted && head.eq_ignore_ascii_case(word)
