@@ -1,12 +1,15 @@
 //! Reduction of a symmetric matrix to tridiagonal form by reflections.
 //!
 //! Each reflection takes one pass over what is left of the matrix: it subtracts what the reflection before it has left to
-//! subtract, and multiplies the next vector, while an entry is at hand. All sums run in a fixed number of partial sums,
-//! so that the width of a processor's registers changes no bit.
+//! subtract, and multiplies the next vector, while an entry is at hand. Back from there, four reflections are applied at once
+//! to four vectors side by side. All sums run in a fixed number of partial sums, so that the width of a processor's
+//! registers changes no bit.
 //!
 //! # References
 //!
 //! Golub, Van Loan, Matrix Computations, 4th ed., section 8.3.1. Schreiber, Van Loan, SIAM J. Sci. Stat. Comput. 10 (1989) 53.
+
+use std::ops::Range;
 
 use super::jacobi::dot;
 
@@ -23,7 +26,7 @@ pub(crate) struct Reduction {
     pub(crate) off_diagonal: Vec<f64>,
 }
 
-/// Partial sums of an inner product.
+/// Partial sums of an inner product, and vectors that are reflected side by side.
 const LANES: usize = 4;
 
 /// Reflections that are applied at once.
@@ -68,48 +71,66 @@ impl Reduction {
 
     /// Replaces vectors, one after the other, by `Q` times them.
     pub(crate) fn back(&self, vectors: &mut [f64]) {
-        let size = self.size;
-        let count = size.saturating_sub(1);
-        let mut end = count;
-        let mut block = vec![[0.0; BLOCK]; size];
-        while end > 0 {
-            let start = end.saturating_sub(BLOCK);
-            // Rows from the first that any of them touches.
-            let rows = start + 1..size;
-            for (row, entries) in rows.clone().zip(&mut block) {
-                *entries = std::array::from_fn(|b| {
-                    let k = start + b;
-                    if k < end && row > k {
-                        self.reflectors[k * size + row]
-                    } else {
-                        0.0
-                    }
-                });
+        let blocks = self.blocks();
+        let mut panel = vec![[0.0; LANES]; self.size];
+        for columns in vectors.chunks_mut(LANES * self.size) {
+            for (lane, column) in columns.chunks_exact(self.size).enumerate() {
+                for (row, entry) in panel.iter_mut().zip(column) {
+                    row[lane] = *entry;
+                }
             }
-            let block = &block[..rows.len()];
-            let triangle = self.triangle(start, end, block);
-            let mut columns = vectors.chunks_exact_mut(2 * size);
-            for pair in &mut columns {
-                let (first, second) = pair.split_at_mut(size);
-                apply(
-                    block,
-                    &triangle,
-                    [&mut first[rows.clone()], &mut second[rows.clone()]],
-                );
+            let (mut before, mut shares) = (&[][..], [[0.0; LANES]; BLOCK]);
+            for block in &blocks {
+                let first = self.size - block.rows.len();
+                let sums = turn(before, &shares, &block.rows, &mut panel[first..]);
+                shares = block.shares(&sums);
+                before = &block.rows;
             }
-            let last = columns.into_remainder();
-            if !last.is_empty() {
-                let mut unused = vec![0.0; rows.len()];
-                apply(block, &triangle, [&mut last[rows.clone()], &mut unused]);
+            for (v, x) in before.iter().rev().zip(panel.iter_mut().rev()) {
+                subtract_shares(v, &shares, x);
             }
-            end = start;
+            for (lane, column) in columns.chunks_exact_mut(self.size).enumerate() {
+                for (row, entry) in panel.iter().zip(column) {
+                    *entry = row[lane];
+                }
+            }
         }
     }
 
-    /// The upper triangle with `H_start ⋯ H_(end-1) = I - V S Vᵀ`.
-    fn triangle(&self, start: usize, end: usize, block: &[[f64; BLOCK]]) -> [[f64; BLOCK]; BLOCK] {
+    /// The reflections by blocks, the last ones first.
+    fn blocks(&self) -> Vec<Block> {
+        let count = self.size.saturating_sub(1);
+        let starts = (0..count).step_by(BLOCK).rev();
+        starts
+            .map(|start| Block::of(self, start..count.min(start + BLOCK)))
+            .collect()
+    }
+}
+
+/// Reflections that are applied at once, `H_start ⋯ H_(end-1) = I - V S Vᵀ`.
+struct Block {
+    /// The rows of V, from the first that is not zero.
+    rows: Vec<[f64; BLOCK]>,
+    /// The upper triangle S.
+    triangle: [[f64; BLOCK]; BLOCK],
+}
+
+impl Block {
+    fn of(reduction: &Reduction, range: Range<usize>) -> Self {
+        let rows: Vec<[f64; BLOCK]> = (range.start + 1..reduction.size)
+            .map(|row| {
+                std::array::from_fn(|b| {
+                    let k = range.start + b;
+                    if k < range.end && row > k {
+                        reduction.reflectors[k * reduction.size + row]
+                    } else {
+                        0.0
+                    }
+                })
+            })
+            .collect();
         let mut products = [[0.0; BLOCK]; BLOCK];
-        for entries in block {
+        for entries in &rows {
             for (x, row) in entries.iter().zip(&mut products) {
                 for (y, product) in entries.iter().zip(row) {
                     *product += x * y;
@@ -117,48 +138,65 @@ impl Reduction {
             }
         }
         let mut triangle = [[0.0; BLOCK]; BLOCK];
-        for j in 0..end - start {
-            let factor = self.factors[start + j];
+        for j in 0..range.len() {
+            let factor = reduction.factors[range.start + j];
             triangle[j][j] = factor;
             for i in 0..j {
                 let sum: f64 = (i..j).map(|k| triangle[i][k] * products[k][j]).sum();
                 triangle[i][j] = -factor * sum;
             }
         }
-        triangle
+        Self { rows, triangle }
+    }
+
+    /// `S` times `Vᵀ X`.
+    fn shares(&self, sums: &Panel) -> Panel {
+        let mut shares = [[0.0; LANES]; BLOCK];
+        for (share, factors) in shares.iter_mut().zip(&self.triangle) {
+            for (factor, sums) in factors.iter().zip(sums) {
+                for lane in 0..LANES {
+                    share[lane] += factor * sums[lane];
+                }
+            }
+        }
+        shares
     }
 }
 
-/// `X <- X - V S Vᵀ X` for two columns.
-fn apply(block: &[[f64; BLOCK]], triangle: &[[f64; BLOCK]; BLOCK], [x, y]: [&mut [f64]; 2]) {
-    let (x, y) = (&mut x[..block.len()], &mut y[..block.len()]);
-    // Even and odd rows apart, so that a sum does not wait for itself.
-    let mut sums = [[[0.0; BLOCK]; 2]; 2];
-    let mut add = |parity: usize, v: &[f64; BLOCK], x: f64, y: f64| {
+/// What each reflection of a block has of each vector.
+type Panel = [[f64; LANES]; BLOCK];
+
+/// Subtracts the shares of one block from vectors, and multiplies them by the rows of the next, in one pass.
+fn turn(
+    before: &[[f64; BLOCK]],
+    shares: &Panel,
+    rows: &[[f64; BLOCK]],
+    vectors: &mut [[f64; LANES]],
+) -> Panel {
+    let mut sums = [[0.0; LANES]; BLOCK];
+    let mut add = |v: &[f64; BLOCK], x: &[f64; LANES]| {
         for b in 0..BLOCK {
-            sums[parity][0][b] += v[b] * x;
-            sums[parity][1][b] += v[b] * y;
+            for lane in 0..LANES {
+                sums[b][lane] += v[b] * x[lane];
+            }
         }
     };
-    let pairs = block.chunks_exact(2);
-    let rest = pairs.remainder();
-    let (xs, ys) = (x.chunks_exact(2), y.chunks_exact(2));
-    for ((v, x), y) in pairs.zip(xs).zip(ys) {
-        add(0, &v[0], x[0], y[0]);
-        add(1, &v[1], x[1], y[1]);
+    // The block before begins some rows farther down.
+    let (first_rows, rows) = rows.split_at(rows.len() - before.len());
+    let (first_vectors, vectors) = vectors.split_at_mut(first_rows.len());
+    for (v, x) in first_rows.iter().zip(first_vectors) {
+        add(v, x);
     }
-    if let [v] = rest {
-        add(0, v, x[x.len() - 1], y[y.len() - 1]);
+    for ((v, next), x) in before.iter().zip(rows).zip(vectors) {
+        subtract_shares(v, shares, x);
+        add(next, x);
     }
-    let [even, odd] = sums;
-    let shares: [[f64; BLOCK]; 2] = std::array::from_fn(|c| {
-        let sums: [f64; BLOCK] = std::array::from_fn(|b| even[c][b] + odd[c][b]);
-        std::array::from_fn(|b| (0..BLOCK).map(|a| triangle[b][a] * sums[a]).sum())
-    });
-    let [first, second] = shares;
-    for ((v, x), y) in block.iter().zip(x).zip(y) {
-        *x -= (v[0] * first[0] + v[1] * first[1]) + (v[2] * first[2] + v[3] * first[3]);
-        *y -= (v[0] * second[0] + v[1] * second[1]) + (v[2] * second[2] + v[3] * second[3]);
+    sums
+}
+
+fn subtract_shares(v: &[f64; BLOCK], [a, b, c, d]: &Panel, x: &mut [f64; LANES]) {
+    for lane in 0..LANES {
+        x[lane] -= (v[0] * a[lane] + v[1] * b[lane]) + (v[2] * c[lane] + v[3] * d[lane]);
     }
 }
 

@@ -28,7 +28,7 @@ pub(crate) fn solve(system: &System) -> Result<(MassRoot, ModalBasis), ModesErro
 fn proven(system: &System) -> Option<(MassRoot, ModalBasis)> {
     let size = system.degrees_of_freedom();
     let (root, weighted) = weighted(system, &system.stiffness_matrix()).ok()?;
-    let solution = reduced::of_weighted(weighted.as_slice().to_vec(), size)?;
+    let solution = reduced::of_weighted(weighted.data.into(), size)?;
     Some((root, solution))
 }
 
@@ -71,13 +71,16 @@ fn weighted<T: Real>(
 
 /// `K_ij / sqrt(m_i m_j)`.
 fn divided<T: Real>(stiffness: &DMatrix<T>, masses: &[f64]) -> DMatrix<T> {
-    DMatrix::from_fn(masses.len(), masses.len(), |i, j| {
-        if i == j {
-            stiffness[(i, i)] / T::from(masses[i])
-        } else {
-            stiffness[(i, j)] / (T::from(masses[i]) * T::from(masses[j])).root()
+    let mut divided = stiffness.clone();
+    for (j, second) in masses.iter().enumerate() {
+        divided[(j, j)] = stiffness[(j, j)] / T::from(*second);
+        for (i, first) in masses.iter().enumerate().skip(j + 1) {
+            let entry = stiffness[(i, j)] / (T::from(*first) * T::from(*second)).root();
+            divided[(i, j)] = entry;
+            divided[(j, i)] = entry;
         }
-    })
+    }
+    divided
 }
 
 /// What rounding may leave of a pivot: `n u` of the diagonal for matrices, which come rounded, and nearly nothing for

@@ -261,7 +261,10 @@ impl System {
     /// # Ok::<(), vibank_dynamics::vibration::modes::ModesError>(())
     /// ```
     pub fn stiffness_matrix(&self) -> DMatrix<f64> {
-        self.exact_stiffness_matrix().map(Dd::hi)
+        match &self.stiffness {
+            Stiffness::Matrix(stiffness) => stiffness.clone(),
+            _ => self.exact_stiffness_matrix().map(Dd::hi),
+        }
     }
 
     /// The stiffness matrix with the rounding errors of its sums.
