@@ -26,7 +26,7 @@ pub struct ScanMark {
 /// Rows of modules; in each, bit `x` is set where the module in column `x` is dark.
 pub type Modules = [u32; ScanMark::WIDTH];
 
-/// What the bytes of a mark are told from those of other codes by; another layout of them would have another number.
+/// What distinguishes the bytes of a mark from those of other codes; another layout of them would have another number.
 const LAYOUT: u8 = 0x56;
 
 /// Bytes of a mark, without those that correct errors.

@@ -113,7 +113,7 @@ impl<'t> Side<'t> {
 pub enum RangeError<'t> {
     /// The response has more pieces than are looked at.
     TooLong,
-    /// Nothing stands where a condition is due.
+    /// Nothing stands where a condition is expected.
     Missing,
     /// What neither a sign nor a bracket makes a condition of.
     NoCondition(Side<'t>),
