@@ -24,7 +24,7 @@ pub(crate) fn text(html: &str) -> usize {
 /// About how many millimetres a text takes with a figure, which stands beside it where half of the page is left.
 pub(crate) fn with_figure(html: &str, figure: &str) -> usize {
     let (width, height) = picture(figure);
-    if width + 2 * GAP <= WIDTH / 2 {
+    if (1..=WIDTH / 2 - 2 * GAP).contains(&width) {
         within(html, WIDTH - width - 2 * GAP).max(height)
     } else {
         within(html, WIDTH) + height
