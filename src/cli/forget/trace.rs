@@ -17,9 +17,10 @@ pub(crate) struct Person {
     pub(crate) codes: BTreeSet<String>,
 }
 
-/// The `id` of the student of a sheet.
-fn id_of(entry: &VariantEntry) -> Option<&str> {
-    entry.student.as_ref()?.get("id").map(String::as_str)
+/// The `id` of the student of a sheet, in the spelling of a list that is read today: an early version kept accents that
+/// were letters of their own.
+fn id_of(entry: &VariantEntry) -> Option<String> {
+    Some(composed(entry.student.as_ref()?.get("id")?.clone()))
 }
 
 impl Person {
@@ -31,14 +32,12 @@ impl Person {
                 .flat_map(|(_, manifest)| &manifest.variants)
         };
         let code = wanted.trim().to_uppercase();
-        // A keyboard may write an accent as a letter of its own, and so did lists that were read by an early version.
         let typed = composed(wanted.to_owned());
-        let is_meant = |id: &&str| composed((*id).to_owned()) == typed;
-        let id = if let Some(id) = entries().filter_map(id_of).find(is_meant) {
-            Some(id.to_owned())
+        let id = if entries().any(|entry| id_of(entry).as_ref() == Some(&typed)) {
+            Some(typed)
         } else {
             let found = entries().find(|entry| entry.code == code)?;
-            id_of(found).map(str::to_owned)
+            id_of(found)
         };
         let mut person = Self {
             codes: BTreeSet::from_iter(id.is_none().then_some(code)),
@@ -49,7 +48,7 @@ impl Person {
         let names = own
             .iter()
             .filter_map(|entry| entry.student.as_ref()?.get("name"));
-        person.names = names.map(|name| name.trim().to_owned()).collect();
+        person.names = names.map(|name| composed(name.trim().to_owned())).collect();
         person.names.remove("");
         // The first version gave codes by the row of the list: one may have been another student's in another run.
         let shared: BTreeSet<&String> = others.iter().map(|entry| &entry.code).collect();
@@ -64,18 +63,19 @@ impl Person {
     /// Whether a sheet is theirs.
     pub(crate) fn has(&self, entry: &VariantEntry) -> bool {
         match id_of(entry) {
-            Some(id) => self.id.as_deref() == Some(id),
+            Some(id) => self.id == Some(id),
             None => self.codes.contains(&entry.code),
         }
     }
 
     /// Whether a name is theirs.
     pub(crate) fn is_named(&self, name: &str) -> bool {
-        self.names.contains(name.trim())
+        self.names.contains(&composed(name.trim().to_owned()))
     }
 
     /// What of them a text contains.
     pub(crate) fn trace(&self, text: &str) -> Option<&'static str> {
+        let text = &composed(text.to_owned());
         if self.names.iter().any(|name| has_word(text, name)) {
             Some("the name")
         } else if self.id.iter().any(|id| has_word(text, id)) {

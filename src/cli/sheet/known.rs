@@ -11,6 +11,7 @@ use super::stamp::Stamp;
 use crate::cli::files;
 use crate::cli::folder::{Folder, is_plain};
 use crate::cli::shard::Shard;
+use crate::cli::table::composed;
 
 /// What the manifests of a folder say.
 #[derive(Default)]
@@ -225,7 +226,8 @@ impl Held {
             let student = entry.student.as_ref().and_then(|student| {
                 let column = |name: &str| student.get(name).map_or("", String::as_str);
                 let seat = seat_in(column("room"), column("seat"));
-                Some((student.get("id")?.clone(), seat))
+                // Lists that were read by an early version may have accents of their own.
+                Some((composed(student.get("id")?.clone()), seat))
             });
             let sheet = HeldSheet {
                 entry: digest,

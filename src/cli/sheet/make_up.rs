@@ -8,6 +8,7 @@ use vibank::worksheet::{QuestionEntry, Student};
 
 use super::Arguments;
 use crate::cli::grade::manifest;
+use crate::cli::table::composed;
 use crate::cli::{Failure, files};
 
 /// What variants of a make-up are named after, and its folder.
@@ -50,7 +51,7 @@ impl MakeUp {
                 .as_ref()
                 .and_then(|student| student.get("id"));
             if let Some(id) = id.cloned() {
-                had.insert(id, variant.questions);
+                had.insert(composed(id), variant.questions);
             }
         }
         let mut make_up = Self {

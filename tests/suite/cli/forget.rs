@@ -116,6 +116,17 @@ fn an_id_is_the_same_in_both_spellings_of_an_accent() {
     desk.class(&["rene\u{301}", "ana"].map(str::to_owned));
     desk.sheet(&plan, &[]).ends(0);
     assert_eq!(code(&desk, "ren\u{e9}"), own);
+    // As an early version wrote it: the student keeps the sheet, also where another one joins.
+    let manifest = desk.text("manifest.json");
+    let manifest = manifest.replace("ren\u{e9}", "rene\u{301}");
+    put(&desk.out, "manifest.json", manifest);
+    desk.class(&["rene\u{301}", "ana", "bea"].map(str::to_owned));
+    desk.sheet(&plan, &["--force"]).ends(0);
+    assert!(desk.text("manifest.json").contains(&own));
+    assert_eq!(
+        desk.manifest()["variants"].as_array().map(Vec::len),
+        Some(3)
+    );
     desk.forget("rene\u{301}", &[]).ends(0);
     assert!(with(&desk.out, &["ren\u{e9}"]).is_empty());
 }
