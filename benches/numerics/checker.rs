@@ -4,6 +4,7 @@ use vibank::answer::Verdict;
 use vibank::bank::Catalogue;
 use vibank::expr::{Expr, Precise, Program, Slots, Workspace};
 use vibank::instance::Instance;
+use vibank::response::Passage;
 use vibank::solution::Solution;
 
 use crate::measure::time;
@@ -180,7 +181,7 @@ pub(crate) fn formulas(records: &mut Vec<Record>) {
         ));
         let marker = solution.marker(0).expect("the key exists");
         records.push(corpus.measure("vibank", |response| {
-            marker.mark(response).verdict == Verdict::Right
+            marker.mark(Passage::of(response)).verdict == Verdict::Right
         }));
         let key = compile(corpus.key).expect("the key is a formula");
         for (method, count, tolerance) in [

@@ -21,7 +21,7 @@ use super::{
 use crate::expr::{Expr, Form, Name, Precise, Program, Slots, Workspace};
 use crate::math::Math;
 use crate::quantity::{Absent, NodeId};
-use crate::response::{self, Lexicon, Manner, Style, Values};
+use crate::response::{Lexicon, Manner, Passage, Reworded, Style, Values};
 use crate::unit::{Decimal, DecimalMark, Quantity, Unit};
 
 #[derive(Debug)]
@@ -164,9 +164,9 @@ impl Marker for Whole {
         vec![std::iter::once(right).chain(mistakes).collect()]
     }
 
-    fn echo(&self, response: &str) -> Result<Echo, Unreadable> {
-        let digits = response::count_in_digits(response);
-        let response = digits.as_deref().unwrap_or(response);
+    fn echo(&self, response: Passage<'_>) -> Result<Echo, Unreadable> {
+        let digits = response.in_digits();
+        let response = digits.as_ref().map_or(response, Reworded::passage);
         let read = numeric::readings(response, self.mark);
         let is_count = |read: &(Quantity, _)| read.0.unit.is_one();
         if !read.as_ref().is_ok_and(is_count)
@@ -184,9 +184,9 @@ impl Marker for Whole {
         others.any(|(_, given, credit)| *given == self.key && *credit < Credit::FULL)
     }
 
-    fn mark(&self, response: &str) -> Marking {
-        let digits = response::count_in_digits(response);
-        let response = digits.as_deref().unwrap_or(response);
+    fn mark(&self, response: Passage<'_>) -> Marking {
+        let digits = response.in_digits();
+        let response = digits.as_ref().map_or(response, Reworded::passage);
         let read = numeric::readings(response, self.mark);
         let is_count = |read: &(Quantity, _)| read.0.unit.is_one();
         // A count has no unit: what could be one is a symbol of the question.
@@ -210,7 +210,7 @@ impl Marker for Whole {
 
 impl Whole {
     /// A response in symbols of the question, `3N` or `3N = 60`, and what it comes to.
-    fn in_symbols(&self, response: &str) -> Option<(Reading, f64)> {
+    fn in_symbols(&self, response: Passage<'_>) -> Option<(Reading, f64)> {
         let style = Style {
             mark: self.mark,
             comma_is_decimal: true,
@@ -223,7 +223,7 @@ impl Whole {
         let (last, before) = sides.split_last()?;
         let before = before.iter().filter(|side| !values.is_name(side));
         for side in before.chain([last]) {
-            readings.push(self.formula(values.text(side))?);
+            readings.push(self.formula(values.passage(side))?);
         }
         let (formula, number) = readings.first().cloned()?;
         let has_symbols = readings.iter().any(|(own, _)| !own.names().free.is_empty());
@@ -244,8 +244,8 @@ impl Whole {
         Some((reading, number))
     }
 
-    fn formula(&self, text: &str) -> Option<(Expr, f64)> {
-        let typed = response::formula(text, &self.symbols.lexicon, Manner::REAL).ok()?;
+    fn formula(&self, side: Passage<'_>) -> Option<(Expr, f64)> {
+        let typed = side.formula(&self.symbols.lexicon, Manner::REAL).ok()?;
         let names: Vec<&str> = self
             .symbols
             .names

@@ -64,6 +64,7 @@ use crate::document::Document;
 use crate::expr::{Equation, Name, Precise};
 use crate::numerics::Complex;
 use crate::quantity::{Absent, Evaluation, NodeId};
+use crate::response::Passage;
 pub use crate::response::{At, Trouble};
 use crate::source::{Table, Value};
 use crate::unit::Unit;
@@ -195,24 +196,24 @@ pub trait Marker {
     }
 
     /// Marks a response that is not empty.
-    fn mark(&self, response: &str) -> Marking;
+    fn mark(&self, response: Passage<'_>) -> Marking;
 
     /// How a response is read while it is typed, whatever the key.
     ///
     /// # Errors
     ///
     /// Why it cannot be read.
-    fn echo(&self, response: &str) -> Result<Echo, Unreadable> {
+    fn echo(&self, response: Passage<'_>) -> Result<Echo, Unreadable> {
         Echo::of_marking(self.mark(response))
     }
 
     /// Marks a response with those to the item's other parts of this kind at hand.
-    fn mark_beside(&self, response: &str, _others: &[Beside<'_>]) -> Marking {
+    fn mark_beside(&self, response: Passage<'_>, _others: &[Beside<'_>]) -> Marking {
         self.mark(response)
     }
 
     /// The equations of the key and those that a response is, where equations are asked.
-    fn equations(&self, _response: &str) -> Option<Equations> {
+    fn equations(&self, _response: Passage<'_>) -> Option<Equations> {
         None
     }
 
@@ -290,7 +291,7 @@ pub struct Beside<'a> {
     /// What marks it.
     pub marker: &'a dyn Marker,
     /// What was answered; may be empty.
-    pub response: &'a str,
+    pub response: Passage<'a>,
 }
 
 /// What a part that asks for equations asks for, and what it got.

@@ -1,22 +1,16 @@
 //! Symbols before an equals sign: whether they name what is asked, or another quantity of the item.
 
-use std::ops::Range;
-
 use super::{AnswerKind, Declare, Known, Role, Unreadable, Why};
 use crate::expr::{self, Name, Shape};
 use crate::math::symbol;
 use crate::quantity::NodeId;
-use crate::response::{self, Folded, Label, Lexicon, Manner, cut};
-use crate::source::Span;
+use crate::response::{
+    Folded, Label, Lexicon, Manner, Passage, label_behind, label_in_front, parted,
+};
 use crate::unit::{Dimension, Rational, Unit};
 
 /// Letters of the field that always stand for one thing: a matrix of this letter is that of mass, damping or stiffness.
 const MATRICES: [&str; 3] = ["M", "C", "K"];
-
-/// Signs of a difference before a symbol.
-const DIFFERENCES: [&str; 6] = ["Δ", "∆", "\\Delta", "Delta", "delta", "d"];
-/// Names of a logarithm, whose argument many write without brackets.
-const LOGARITHMS: [&str; 3] = ["log", "ln", "lg"];
 
 /// The names that may stand before the equals sign of a response to a part, and those that may not.
 #[derive(Debug, Default)]
@@ -112,34 +106,27 @@ impl Naming {
         if self.printed.is_empty() {
             return Ok(response);
         }
-        if let Some(end) = self.behind_value(&response)? {
+        // `-3 J = V(π)`
+        if let Some((label, end)) = label_behind(&response)
+            && self.printed_name(label)?.is_some()
+        {
             return Ok(response.up_to(end));
         }
-        let Some(end) = response.text().find(['=', '≈', ':']) else {
+        let Some((label, end)) = label_in_front(&response) else {
             return Ok(response);
         };
-        let label = &response.text()[..end];
-        let typed = Label::of_text(label);
-        match self.printed.iter().find(|(printed, _)| *printed == typed) {
-            Some((_, name)) if self.asked.contains(name) => {
-                Ok(response.with_name(end, name.as_str()))
-            }
-            Some(_) => Err(Unreadable::at(label.trim(), Why::OtherQuantity)),
+        match self.printed_name(label)?.cloned() {
+            Some(name) => Ok(response.with_name(end, name.as_str())),
             None => Ok(response),
         }
     }
 
-    /// Where the value ends that stands before such a symbol, `-3 J = V(π)`.
-    fn behind_value(&self, response: &Folded<'_>) -> Result<Option<usize>, Unreadable> {
-        let text = response.text();
-        let Some((value, name)) = text.rsplit_once(['=', '≈']) else {
-            return Ok(None);
-        };
-        let typed = Label::of_text(name);
-        let printed = self.printed.iter().find(|(printed, _)| *printed == typed);
-        match printed.filter(|_| begins_value(value)) {
-            Some((_, own)) if self.asked.contains(own) => Ok(Some(value.len())),
-            Some(_) => Err(Unreadable::at(name.trim(), Why::OtherQuantity)),
+    /// The name of what is asked, if a label is its printed symbol.
+    fn printed_name(&self, label: Passage<'_>) -> Result<Option<&Name>, Unreadable> {
+        let typed = Label::of_passage(label);
+        match self.printed.iter().find(|(printed, _)| *printed == typed) {
+            Some((_, name)) if self.asked.contains(name) => Ok(Some(name)),
+            Some(_) => Err(Unreadable::at(label, Why::OtherQuantity)),
             None => Ok(None),
         }
     }
@@ -149,43 +136,52 @@ impl Naming {
     /// # Errors
     ///
     /// Where that names another quantity than the one that is asked.
-    pub(crate) fn check(&self, response: &str) -> Result<(), Unreadable> {
+    pub(crate) fn check(&self, response: Passage<'_>) -> Result<(), Unreadable> {
         let says_nothing = [&self.others, &self.asked]
             .iter()
             .all(|names| names.is_empty());
-        if says_nothing && self.customary.is_empty() || !response.contains(['=', '≈']) {
+        if says_nothing && self.customary.is_empty() {
             return Ok(());
         }
-        for label in labels(response) {
-            let label = response[label].trim();
-            if self.is_of_another(label) {
-                return Err(Unreadable::at(label, Why::OtherQuantity));
-            }
+        match response
+            .labels()
+            .into_iter()
+            .find(|own| self.is_of_another(*own))
+        {
+            Some(label) => Err(Unreadable::at(label, Why::OtherQuantity)),
+            None => Ok(()),
         }
-        Ok(())
     }
 
     /// Whether a symbol before an equals sign is the one that is asked.
-    pub(crate) fn is_of_asked(&self, label: &str) -> bool {
-        let typed = response::formula(without_frame(label), &self.lexicon, Manner::default());
-        typed.is_ok_and(|typed| self.is_asked(&typed.value))
+    pub(crate) fn is_of_asked(&self, label: Passage<'_>) -> bool {
+        self.reads(label.without_frame())
+            .is_some_and(|typed| self.is_asked(&typed))
     }
 
-    fn is_of_another(&self, label: &str) -> bool {
-        let bare = without_frame(label);
-        let typed = response::formula(bare, &self.lexicon, Manner::default());
-        match typed.as_ref().map(|typed| typed.value.kind()) {
-            Ok(expr::Kind::Name(name)) => self.others.contains(name),
+    /// The formula that a label is.
+    fn reads(&self, label: Passage<'_>) -> Option<expr::Expr> {
+        let typed = label.formula(&self.lexicon, Manner::default());
+        typed.ok().map(|typed| typed.value)
+    }
+
+    fn is_of_another(&self, label: Passage<'_>) -> bool {
+        let bare = label.without_frame();
+        match self.reads(bare).as_ref().map(expr::Expr::kind) {
+            Some(expr::Kind::Name(name)) => self.others.contains(name),
             // `K^2`
-            Ok(_) if self.is_matrix => true,
+            Some(_) if self.is_matrix => true,
             // `u^{(2)}` is the shape of that mode.
-            Ok(expr::Kind::Prime(of, mode)) if self.is_shape => {
+            Some(expr::Kind::Prime(of, mode)) if self.is_shape => {
                 self.is_asked(of) && !self.is_of_mode(u32::from(*mode))
             }
             // `omega'`
-            Ok(expr::Kind::Prime(of, _)) if self.is_asked(of) => true,
+            Some(expr::Kind::Prime(of, _)) if self.is_asked(of) => true,
             // `T_n`, `K11`
-            _ => self.customary.contains(&parted(bare).0) || self.is_made_of_asked(bare),
+            _ => {
+                let mut customary = self.customary.iter();
+                customary.any(|letter| bare.has_letter(letter)) || self.is_made_of_asked(bare)
+            }
         }
     }
 
@@ -202,27 +198,22 @@ impl Naming {
 
     /// Whether a label of several words is made of the symbol that is asked: `omega t`, `m omega`, `log omega`, and
     /// `Delta omega` of a rate or a period.
-    fn is_made_of_asked(&self, label: &str) -> bool {
-        let reads = |word: &str| response::formula(word, &self.lexicon, Manner::default()).ok();
-        let is_asked = |word: &str| reads(word).is_some_and(|typed| self.is_asked(&typed.value));
-        let difference = DIFFERENCES.iter().find_map(|sign| label.strip_prefix(sign));
-        if self.is_of_time && difference.is_some_and(|rest| is_asked(rest.trim_start())) {
-            return reads(label).is_none_or(|typed| !self.is_asked(&typed.value));
+    fn is_made_of_asked(&self, label: Passage<'_>) -> bool {
+        let is_asked = |own: Passage<'_>| self.reads(own).is_some_and(|own| self.is_asked(&own));
+        if self.is_of_time && label.behind_difference().is_some_and(is_asked) {
+            return self.reads(label).is_none_or(|own| !self.is_asked(&own));
         }
-        let words: Vec<&str> = label
-            .split([' ', '*'])
-            .filter(|word| !word.is_empty())
-            .collect();
-        let is_factor = |word: &&str| {
-            let name = reads(word);
-            let is_name =
-                name.is_some_and(|typed| matches!(typed.value.kind(), expr::Kind::Name(_)));
-            *word == "t" || LOGARITHMS.contains(word) || is_name && !is_asked(word)
+        let factors = label.factors();
+        let is_factor = |own: &Passage<'_>| {
+            let is_name = self
+                .reads(*own)
+                .is_some_and(|own| matches!(own.kind(), expr::Kind::Name(_)));
+            own.is("t") || own.is_logarithm() || is_name && !is_asked(*own)
         };
-        words.len() > 1
-            && words.iter().any(|word| is_asked(word))
-            && words.iter().all(|word| is_asked(word) || is_factor(word))
-            && words.iter().any(is_factor)
+        factors.len() > 1
+            && factors.iter().any(|own| is_asked(*own))
+            && factors.iter().all(|own| is_asked(*own) || is_factor(own))
+            && factors.iter().any(is_factor)
     }
 }
 
@@ -278,14 +269,6 @@ fn is_other(own: &Known, asked: &[&Known], dimension: Option<Dimension>, kind: A
     matches!(own.role, Role::Parameter { .. }) && !asked.is_empty()
 }
 
-/// The letter of a name, and its index: `omega_n`, `k1`.
-fn parted(name: &str) -> (&str, &str) {
-    let end = name
-        .find(|char: char| char == '_' || char.is_ascii_digit())
-        .unwrap_or(name.len());
-    (&name[..end], name[end..].trim_start_matches('_'))
-}
-
 /// The letters that name something else than what is asked by the custom of the field, also where the item has no such
 /// letter: a period or a frequency for an angular frequency, one matrix of a model for another.
 fn customary(
@@ -319,38 +302,4 @@ fn customary(
         _ if is_rate => vec!["T"],
         _ => Vec::new(),
     }
-}
-
-/// What stands before the first equals sign of each statement, or after the last where a value stands first.
-fn labels(response: &str) -> impl Iterator<Item = Range<usize>> {
-    let whole = Span::new(0, response.len());
-    let statements = cut(response, whole, &[';', ',', '\n']).into_iter();
-    statements.filter_map(|statement| {
-        let range = statement.range();
-        let text = &response[range.clone()];
-        let end = text.find(['=', '≈'])?;
-        let last = text.rsplit(['=', '≈']).next().unwrap_or(text);
-        let is_name = last.trim_start().starts_with(char::is_alphabetic);
-        if is_name && begins_value(text) {
-            return Some(range.end - last.len()..range.end);
-        }
-        Some(range.start..range.start + end)
-    })
-}
-
-/// Whether a text begins as a number does.
-fn begins_value(text: &str) -> bool {
-    text.trim_start()
-        .starts_with(|first: char| first.is_ascii_digit() || "+-.√(".contains(first))
-}
-
-/// A symbol without what may stand around it: bars, its unit in brackets.
-fn without_frame(label: &str) -> &str {
-    let label = response::without_unit(label.trim()).trim_matches(['|', '[', ']', ' ']);
-    if !label.ends_with([')', ']']) {
-        return label;
-    }
-    label
-        .find(['(', '['])
-        .map_or(label, |at| label[..at].trim_end())
 }

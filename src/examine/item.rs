@@ -6,6 +6,7 @@ use crate::bank::{Part, Passage, Target, Template};
 use crate::document::{Document, Filling, Form};
 use crate::expr::{Expr, Kind, Name};
 use crate::quantity::NodeId;
+use crate::response;
 use crate::solution::Solution;
 
 /// Most questions of an item, where a group counts as one: an examination of an hour, at seven minutes each.
@@ -64,7 +65,7 @@ fn is_in_equations(solution: &Solution<'_>, place: usize, name: &Name) -> bool {
     let Some(equations) = solution
         .marker(place)
         .ok()
-        .and_then(|marker| marker.equations(""))
+        .and_then(|marker| marker.equations(response::Passage::default()))
     else {
         return false;
     };

@@ -10,7 +10,7 @@ use crate::document::{Block, Form};
 use crate::expr::{Expr, Kind as Node, Name, Precise, Program, Slots, Value, Workspace};
 use crate::math::{Class, Holes, Math, symbol};
 use crate::quantity::NodeId;
-use crate::response::{Folded, Lexicon, Manner, formula};
+use crate::response::{self, Folded, Lexicon, Manner};
 use crate::scene::shown_in;
 use crate::solution::Solution;
 use crate::unit::{Decimal, DecimalMark, Unit};
@@ -138,13 +138,15 @@ fn computed(solution: &Solution<'_>, piece: &Piece, side: &[Math]) -> Option<Val
     let mut text = String::new();
     Math::row(side.iter().cloned()).write_latex(&mut text, &letters);
     let folded = Folded::of(&text);
-    let folded = folded.as_ref().map_or("", Folded::text);
+    let folded = folded
+        .as_ref()
+        .map_or(response::Passage::default(), Folded::passage);
     let manner = Manner {
         comma_is_decimal: false,
         has_imaginary_unit: false,
         values: Some(DecimalMark::Point),
     };
-    let read = formula(folded.trim(), &lexicon, manner).ok()?.value;
+    let read = folded.formula(&lexicon, manner).ok()?.value;
     let used = read.names();
     let holes: Vec<usize> = (0..names.len())
         .filter(|hole| used.uses(&Name::new(names[*hole].as_str())))

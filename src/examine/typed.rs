@@ -7,6 +7,7 @@ use crate::expr::{
 };
 use crate::numerics::Rational;
 use crate::quantity::{Evaluation, Graph, Method, NodeId};
+use crate::response::Passage;
 use crate::solution::Solution;
 use crate::unit::{Decimal, Unit};
 
@@ -440,7 +441,7 @@ pub(crate) fn in_letters(solution: &Solution<'_>, place: usize) -> Vec<(String, 
                 .collect()
         }
         (AnswerKind::Equation, _) => {
-            let Some(equations) = marker.equations("") else {
+            let Some(equations) = marker.equations(Passage::default()) else {
                 return Vec::new();
             };
             let mut all = Vec::new();

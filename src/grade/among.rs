@@ -4,7 +4,7 @@ use super::bound::bounded;
 use super::typed::TypedResponse;
 use super::{mark_typed, silence};
 use crate::answer::{Beside, Marking};
-use crate::response::withdrawn;
+use crate::response::{Folded, Passage, withdrawn};
 use crate::solution::Solution;
 
 /// Marks the response to a part with those to all parts of the item at hand, by place; empty ones are missing.
@@ -40,7 +40,7 @@ pub(crate) fn marked(
     let others: Vec<Beside<'_>> = others
         .filter_map(|at| {
             let other = Some(&responses[at]).filter(|other| !other.is_too_long())?;
-            let response = other.folded().map_or("", |folded| folded.text().trim());
+            let response = other.folded().map_or(Passage::default(), Folded::passage);
             let marker = solution.marker(at).ok()?;
             Some(Beside { marker, response })
         })
@@ -48,7 +48,7 @@ pub(crate) fn marked(
     match solution.marker(place) {
         Ok(marker) => {
             let marking = bounded(|| {
-                let marking = marker.mark_beside(folded.text().trim(), &others);
+                let marking = marker.mark_beside(folded.passage(), &others);
                 marking.in_typed(folded)
             });
             silence::heard(response.typed(), marking)

@@ -5,7 +5,7 @@ use super::Sheet;
 use super::typed::TypedResponse;
 use crate::answer::{Credit, Marker, Marking, Naming, Note, Reason, Remark, Slip, Verdict, Why};
 use crate::numerics::Rational;
-use crate::response;
+use crate::response::Passage;
 use crate::solution::Solution;
 
 /// The marking of a response that its own kind hands back, if it says something in the other form: of a statement in
@@ -26,8 +26,8 @@ pub(crate) fn otherwise(
     let part = &solution.template().parts[place];
     part.answer.other_form()?;
     let folded = part.naming.named(response.folded().ok()?.clone()).ok()?;
-    let text = folded.text().trim();
-    let sides = response::statement(text);
+    let typed = folded.passage();
+    let sides = typed.statement();
     // A key in the other form is prepared only where it may decide.
     if sides.len() < 2 && !is_open {
         return None;
@@ -40,7 +40,7 @@ pub(crate) fn otherwise(
     if !is_open {
         return None;
     }
-    let marking = other.mark(text);
+    let marking = other.mark(typed);
     let reading = marking.reading.clone().filter(|_| is_right(&marking))?;
     // A zero is right in letters whatever unit it has.
     let formula = || reading.answered.formula();
@@ -70,7 +70,7 @@ pub(crate) fn standing(
     }
     let naming = &solution.template().parts[place].naming;
     let folded = naming.named(response.folded().ok()?.clone()).ok()?;
-    let other = solution.other_marker(place)?.mark(folded.text().trim());
+    let other = solution.other_marker(place)?.mark(folded.passage());
     other.reading.is_some().then_some(other)
 }
 
@@ -83,7 +83,7 @@ fn statement(
     own: &dyn Marker,
     other: &dyn Marker,
     naming: &Naming,
-    mut sides: Vec<&str>,
+    mut sides: Vec<Passage<'_>>,
 ) -> Option<Marking> {
     // What is asked may stand before the first equals sign, whatever else its letter means.
     let is_led = sides.len() > 1 && naming.is_of_asked(sides[0]);
@@ -93,18 +93,18 @@ fn statement(
     if sides.len() < 2 {
         return None;
     }
-    let mark = |side: &str| (own.mark(side), other.mark(side));
+    let mark = |side: Passage<'_>| (own.mark(side), other.mark(side));
     let is_letter = |marking: &Marking| {
         let reading = marking.reading.as_ref();
         reading.is_none_or(|reading| is_name(&reading.text))
     };
-    let are_letters = |side: &str| {
+    let are_letters = |side: Passage<'_>| {
         let (own, other) = mark(side);
         is_letter(&own) && is_letter(&other)
     };
-    if !is_led && is_symbol(sides[0]) && are_letters(sides[0]) {
+    if !is_led && sides[0].is_symbol() && are_letters(sides[0]) {
         sides.remove(0);
-    } else if let Some(last) = sides.last().filter(|side| is_symbol(side)) {
+    } else if let Some(last) = sides.last().copied().filter(|side| side.is_symbol()) {
         // Or after the last one: `15.8 rad/s = ω`.
         if are_letters(last) {
             sides.pop();
@@ -170,14 +170,6 @@ fn is_name(formula: &str) -> bool {
         && formula
             .chars()
             .all(|char| char.is_alphanumeric() || char == '_')
-}
-
-/// Whether a side is no more than a symbol: letters, digits, and what subscripts are written with.
-fn is_symbol(side: &str) -> bool {
-    // Symbols with their subscripts are shorter; a longer side is a formula.
-    const MAX_LENGTH: usize = 30;
-    let is_part = |char: char| char.is_alphanumeric() || "_{}\\()'|, ".contains(char);
-    side.len() <= MAX_LENGTH && side.chars().all(is_part)
 }
 
 /// What the other form is worth; nothing where another part that is asked has the same key.

@@ -58,7 +58,7 @@ fn mark_typed(solution: &Solution<'_>, place: usize, response: &TypedResponse<'_
         return Marking::missing();
     }
     let marking = match folded(solution, place, response) {
-        Ok((marker, folded)) => bounded(|| marker.mark(folded.text().trim()).in_typed(&folded)),
+        Ok((marker, folded)) => bounded(|| marker.mark(folded.passage()).in_typed(&folded)),
         Err(why) => Marking::unreadable(why),
     };
     silence::heard(typed, marking)
@@ -71,7 +71,7 @@ fn mark_typed(solution: &Solution<'_>, place: usize, response: &TypedResponse<'_
 /// Why it cannot be read.
 pub fn echo(solution: &Solution<'_>, place: usize, response: &str) -> Result<Echo, Unreadable> {
     let (marker, folded) = folded(solution, place, &TypedResponse::new(response))?;
-    marker.echo(folded.text().trim()).map_err(|mut why| {
+    marker.echo(folded.passage()).map_err(|mut why| {
         why.point_at_typed(&folded);
         why
     })
@@ -97,7 +97,7 @@ fn folded<'s, 'r>(
         _ => response.folded()?.clone(),
     };
     let folded = part.naming.named(folded)?;
-    part.naming.check(folded.text()).map_err(|mut why| {
+    part.naming.check(folded.passage()).map_err(|mut why| {
         why.point_at_typed(&folded);
         why
     })?;

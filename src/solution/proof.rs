@@ -11,7 +11,7 @@ use crate::expr::{Form, Name, Precise, Shape, Undefined, Value};
 use crate::instance::{Instance, InstanceError};
 use crate::numerics::Complex;
 use crate::quantity::{Absent, Evaluation, NodeId};
-use crate::response::Folded;
+use crate::response::{Folded, Passage};
 use crate::seed::Seed;
 use crate::source::Span;
 use crate::unit::{Decimal, Quantity, Unit};
@@ -302,8 +302,8 @@ fn respond(
         agree(id, check, &written, &found, units.as_ref())?;
     }
     let folded = Folded::of(&expected.response.value);
-    let typed = folded.as_ref().map_or("", Folded::text);
-    match marker.mark(typed.trim()).verdict {
+    let typed = folded.as_ref().map_or(Passage::default(), Folded::passage);
+    match marker.mark(typed).verdict {
         Verdict::Right => Ok(()),
         verdict => Err(Disproof::Response {
             id: id.clone(),

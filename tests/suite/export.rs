@@ -3,6 +3,7 @@
 
 use crate::BANK;
 use vibank::export::{Canvas, Export, Moodle, Qti, Version, Wish};
+use vibank::response::Passage;
 use vibank::seed::{Seed, Streams};
 use vibank::source::Source;
 use vibank::worksheet::{Blueprint, Plan, Sheet, SheetQuestion, headings};
@@ -139,7 +140,7 @@ fn graded(question: &SheetQuestion<'_>, place: usize, typed: f64) -> f64 {
     let unit = question.solution.template().parts[place].answer.unit();
     let unit = unit.map_or_else(String::new, |unit| format!(" {unit}"));
     let marker = question.solution.marker(place).expect("it has a key");
-    let marking = marker.mark(&format!("{typed:e}{unit}"));
+    let marking = marker.mark(Passage::of(&format!("{typed:e}{unit}")));
     marking.credit.share().to_f64()
 }
 
@@ -368,7 +369,7 @@ fn units_are_read_by_moodle_as_by_the_grader() {
                 let there = converted(numerical, own, unit).expect("it is listed");
                 let fits = |(value, half, _): &&(f64, f64, f64)| (there - value).abs() <= *half;
                 let share = ranges.iter().find(fits).map_or(0.0, |(_, _, share)| *share);
-                let marking = marker.mark(&format!("{own:e} {unit}"));
+                let marking = marker.mark(Passage::of(&format!("{own:e} {unit}")));
                 let graded = marking.credit.share().to_f64();
                 compared += 1;
                 assert!(

@@ -55,7 +55,7 @@ impl Amount {
     }
 }
 
-type Split = (Expr, Option<Unit>);
+pub(crate) type Split = (Expr, Option<Unit>);
 
 /// A formula as a bare one and its unit.
 ///
@@ -137,7 +137,7 @@ fn parts(formula: &Expr) -> Result<Split, Trouble> {
 }
 
 /// A unit to the power of a number.
-fn raised(unit: &Unit, exponent: Option<Rational>) -> Result<Unit, Trouble> {
+pub(crate) fn raised(unit: &Unit, exponent: Option<Rational>) -> Result<Unit, Trouble> {
     let part = |part: i128| i32::try_from(part).ok();
     let power = exponent.and_then(|power| {
         vibank_formula::unit::Rational::new(part(power.numerator())?, part(power.denominator())?)
@@ -171,7 +171,7 @@ fn joined(
 }
 
 /// A number in one unit as one in another.
-fn converted(number: Expr, from: &Unit, to: &Unit) -> Result<Expr, Trouble> {
+pub(crate) fn converted(number: Expr, from: &Unit, to: &Unit) -> Result<Expr, Trouble> {
     if from == to {
         return Ok(number);
     }

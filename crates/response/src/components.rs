@@ -21,7 +21,7 @@ struct Vector {
 /// # Errors
 ///
 /// What stands in the way, such as a term without a vector.
-pub fn components(
+pub(crate) fn components(
     text: &str,
     count: usize,
     lexicon: &Lexicon,

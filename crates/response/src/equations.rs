@@ -4,7 +4,7 @@ use super::list::cut;
 use vibank_source::Span;
 
 /// The equations of a text, cut at semicolons, line ends, and commas or `and` between equations.
-pub fn equations(text: &str) -> Vec<Span> {
+pub(crate) fn equations(text: &str) -> Vec<Span> {
     const RELATIONS: [char; 6] = ['=', '<', '>', '≤', '≥', '≠'];
     let all = Span::new(0, text.len());
     let mut found = Vec::new();
@@ -38,7 +38,7 @@ fn cut_at_and(text: &str, place: Span) -> Vec<Span> {
 }
 
 /// Whether an equation is the state at the start, `x(0) = 0`.
-pub fn is_initial_state(equation: &str) -> bool {
+pub(crate) fn is_initial_state(equation: &str) -> bool {
     let left = equation.split_once('=').map_or("", |(left, _)| left);
     let name = left.trim_end().strip_suffix("(0)").unwrap_or_default();
     name.starts_with(char::is_alphabetic)
@@ -48,7 +48,7 @@ pub fn is_initial_state(equation: &str) -> bool {
 }
 
 /// A number that an equation bears, `(2) m x'' = …`, `2. m x'' = …` or `m x'' = … (2)`.
-pub fn number_of_equation(equation: &str) -> Option<&str> {
+pub(crate) fn number_of_equation(equation: &str) -> Option<&str> {
     let digits = |text: &str| {
         let end = text.find(|char: char| !char.is_ascii_digit());
         end.unwrap_or(text.len())

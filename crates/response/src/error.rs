@@ -1,5 +1,6 @@
 //! Why a formula cannot be read, and where.
 
+use super::Passage;
 use vibank_source::Span;
 
 /// What stands in the way of reading a formula.
@@ -121,7 +122,8 @@ impl TypedError {
     }
 
     /// Where that is in the `text` that was typed.
-    pub fn at(&self, text: &str) -> At {
+    pub fn at(&self, passage: Passage<'_>) -> At {
+        let text = passage.text();
         // The quote stands in the middle of a sentence.
         const MAX_QUOTE_LENGTH: usize = 40;
         let place = text.get(self.span.range()).unwrap_or_default().trim();

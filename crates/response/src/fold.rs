@@ -20,6 +20,7 @@ use self::plain::{has_barred_numbers, has_cells, is_plain};
 pub(crate) use self::programs::arguments_of_call;
 use self::spaces::OneWidth;
 use self::words::is_shouted;
+use super::passage::Passage;
 use super::signs::{MIDDLE_POINT, Plain, RUNS, begins_run, is_minus, of_char};
 use super::surroundings::answer_in;
 use vibank_source::Span;
@@ -159,6 +160,11 @@ impl<'t> Folded<'t> {
         self.pieces.push((end as u32, last as u32));
         self.text = Cow::Owned(self.text[..end].to_owned());
         self
+    }
+
+    /// The whole of it.
+    pub fn passage(&self) -> Passage<'_> {
+        Passage::of(self.text())
     }
 
     /// In plain signs.

@@ -1,6 +1,6 @@
 //! What stands around a list: a symbol before it, a factor or divisor, a sign of transposition, a unit.
 
-use super::behind::{gathered, with_unit};
+use super::before_unit::{gathered, with_unit};
 use super::list::{Reader, Wanted};
 use super::words::MODULES;
 use super::{Trouble, TypedError};

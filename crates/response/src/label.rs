@@ -1,7 +1,7 @@
 //! Symbols before an equals sign that are not names: `V(π)`, `x₃/x`, `cos θ`, `ω²`.
 
-use super::Folded;
 use super::letters::{Letters, greek_word};
+use super::{Folded, Passage};
 use vibank_formula::unit::Unit;
 use vibank_notation::Math;
 
@@ -18,8 +18,12 @@ impl Label {
         Some(Self::of_text(folded.text()))
     }
 
-    /// What was typed before an equals sign, folded.
-    pub fn of_text(text: &str) -> Self {
+    /// What was typed before an equals sign.
+    pub fn of_passage(passage: Passage<'_>) -> Self {
+        Self::of_text(passage.text())
+    }
+
+    fn of_text(text: &str) -> Self {
         let mut label = String::new();
         let mut rest = text;
         while let Some(char) = rest.chars().next() {
@@ -62,7 +66,7 @@ impl Label {
 }
 
 /// A symbol without the unit that stands beside it, `f in Hz`, `f/Hz`; one of one letter may be a divisor.
-pub fn without_unit(label: &str) -> &str {
+pub(crate) fn without_unit(label: &str) -> &str {
     let parts = label.split_once(" in ").or_else(|| label.split_once('/'));
     let Some((name, unit)) = parts else {
         return label;

@@ -63,7 +63,7 @@ impl Letters {
 }
 
 /// The letter or digit with which a text begins, by its length and in one spelling: `ω` and `omega` are one.
-pub fn letter(text: &str) -> Option<(usize, String)> {
+pub(crate) fn letter(text: &str) -> Option<(usize, String)> {
     let run = text.find(|char: char| !char.is_ascii_alphabetic());
     let run = &text[..run.unwrap_or(text.len())];
     let word = (2..=run.len())
@@ -158,7 +158,7 @@ pub(crate) fn dotted(char: char) -> Option<(char, u8)> {
 }
 
 /// Whether a letter has dots over it.
-pub fn is_dotted(char: char) -> bool {
+pub(crate) fn is_dotted(char: char) -> bool {
     dotted(char).is_some()
 }
 

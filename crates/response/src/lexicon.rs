@@ -63,6 +63,11 @@ impl Lexicon {
         self.add(LexiconEntry::Forbidden(name.clone()));
     }
 
+    /// Whether no name may be used.
+    pub(crate) fn is_empty(&self) -> bool {
+        self.entries.is_empty()
+    }
+
     fn add(&mut self, entry: LexiconEntry) {
         self.entries.push(entry);
         self.words.take();

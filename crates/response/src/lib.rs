@@ -9,7 +9,7 @@
 //! ```
 //! use vibank_formula::expr::{Expr, Name};
 //! use vibank_notation::symbol;
-//! use vibank_response::{Folded, Lexicon, Manner, formula};
+//! use vibank_response::{Folded, Lexicon, Manner};
 //!
 //! let mut lexicon = Lexicon::new();
 //! for name in ["k", "m"] {
@@ -17,7 +17,7 @@
 //! }
 //! // LaTeX, words and the signs of paper become one spelling, which is read with the names of the item.
 //! let folded = Folded::of(r"\sqrt{\frac{k}{2m}}").expect("no dollar sign stands alone");
-//! let typed = formula(folded.text(), &lexicon, Manner::default()).expect("it is a formula");
+//! let typed = folded.passage().formula(&lexicon, Manner::default()).expect("it is a formula");
 //! assert_eq!(typed.value, Expr::read("sqrt(k/(2*m))")?);
 //! # Ok::<(), vibank_formula::expr::ReadError>(())
 //! ```
@@ -35,7 +35,7 @@
 //! right dimension, and asks back where one is right that was not taken.
 
 mod amount;
-mod behind;
+mod before_unit;
 mod both_signs;
 mod calls;
 mod components;
@@ -43,10 +43,12 @@ mod conjugates;
 mod determinant;
 mod differential;
 mod digits;
+mod equated;
 mod equations;
 mod error;
 mod fold;
 mod frame;
+mod free_letters;
 mod identity;
 mod label;
 mod labels;
@@ -57,13 +59,18 @@ mod lexer;
 mod lexicon;
 mod list;
 mod lost_power;
+mod measured;
+mod naming;
 mod near;
 mod nothing;
 mod number;
 mod parser;
+mod passage;
 mod phrase;
 mod pieces;
 mod ranges;
+mod relation;
+mod reworded;
 mod sides;
 mod signs;
 mod surroundings;
@@ -74,24 +81,23 @@ mod ways;
 mod words;
 
 pub use amount::{Amount, Number, has_pi};
-pub use behind::with_unit;
-pub use components::components;
-pub use equations::{equations, is_initial_state, number_of_equation};
+pub use before_unit::BeforeUnit;
 pub use error::TypedError;
 pub use error::{At, Trouble, ValueTrouble};
 pub use fold::{Folded, LoneDollar};
-pub use label::{Label, without_unit};
-pub use letters::{is_dotted, letter};
+pub use label::Label;
 pub use lexicon::Lexicon;
-pub use list::{Listed, Wanted, cut, cut_where, list_of_form};
+pub use list::{Listed, Wanted};
+pub use measured::Measured;
+pub use naming::{label_behind, label_in_front, parted};
 pub use nothing::unit_of_zero;
+pub use passage::Passage;
 pub use phrase::Phrase;
-pub use pieces::{FunctionPiece, function_pieces};
-pub use ranges::{Bounding, Condition, Group, RangeError, Ranges, Said, Side};
-pub use sides::{described, sides, statement};
+pub use pieces::FunctionPiece;
+pub use ranges::{Bounding, Condition, Group, RangeError, Ranges, Said};
+pub use reworded::Reworded;
 pub use surroundings::{behind_arrow, withdrawn};
 pub use values::{Part, Style, Values};
-pub use words::count_in_digits;
 
 use self::lexer::tokens;
 use self::parser::Parser;
@@ -158,8 +164,12 @@ pub struct Chain {
 }
 
 /// The formula that a text is, after a symbol and an equals sign that may stand before it.
-pub fn formula(text: &str, lexicon: &Lexicon, manner: Manner) -> Result<Typed<Expr>, TypedError> {
-    let sides = sides(text, lexicon)?;
+pub(crate) fn formula(
+    text: &str,
+    lexicon: &Lexicon,
+    manner: Manner,
+) -> Result<Typed<Expr>, TypedError> {
+    let sides = sides::sides(text, lexicon)?;
     let place = sides.last().map_or(0..text.len(), |side| side.range());
     read(text, place.start, place.end, lexicon, manner, |parser| {
         parser.whole_formula()
@@ -167,7 +177,7 @@ pub fn formula(text: &str, lexicon: &Lexicon, manner: Manner) -> Result<Typed<Ex
 }
 
 /// The equation or comparison that a part of a text is; its places count in the whole text.
-pub fn chain(
+pub(crate) fn chain(
     text: &str,
     from: usize,
     to: usize,

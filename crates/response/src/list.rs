@@ -1,6 +1,6 @@
 //! Lists, vectors and matrices as people type them: `(1, 0.618)`, `[1; -2]`, `[[3m, 0], [0, m]]`.
 
-use super::behind::with_unit;
+use super::before_unit::with_unit;
 use super::frame::{balanced, groups, is_transposed_name};
 use super::labels::{by_indices, in_order};
 use super::layout::{has_signed_gap, laid_out, spaced};
@@ -48,7 +48,7 @@ impl Listed {
 
 /// Reads a list of the form that is asked. A comma parts entries, but is a decimal sign where only so the list has that
 /// form; entries may also be parted by spaces. A list of another form is as it was typed.
-pub fn list_of_form(
+pub(crate) fn list_of_form(
     text: &str,
     lexicon: &Lexicon,
     units: &[Unit],
@@ -513,12 +513,12 @@ pub(crate) fn trimmed(text: &str, span: Span) -> Span {
 }
 
 /// The pieces between signs that stand in no bracket.
-pub fn cut(text: &str, span: Span, signs: &[char]) -> Vec<Span> {
+pub(crate) fn cut(text: &str, span: Span, signs: &[char]) -> Vec<Span> {
     cut_where(text, span, |_, char| signs.contains(&char))
 }
 
 /// The pieces between places that stand in no bracket.
-pub fn cut_where(text: &str, span: Span, parts: impl Fn(usize, char) -> bool) -> Vec<Span> {
+pub(crate) fn cut_where(text: &str, span: Span, parts: impl Fn(usize, char) -> bool) -> Vec<Span> {
     let (mut pieces, mut start, mut depth) = (Vec::new(), span.range().start, 0_usize);
     for (at, char) in text[span.range()].char_indices() {
         let at = span.range().start + at;

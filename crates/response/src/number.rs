@@ -1,6 +1,6 @@
 //! Tokens among values: exact decimals, units after numbers, words that join.
 
-use super::behind::gathered;
+use super::before_unit::gathered;
 use super::digits::Comma;
 use super::letters::Letters;
 use super::lexer::Lexer;
@@ -133,12 +133,28 @@ impl Lexer<'_> {
             JOINING.iter().any(is_it).then_some(space + 1)
         };
         let word = rest.match_indices(' ').find_map(joins);
-        let text = &rest[..word.unwrap_or(line).min(line)];
+        let end = word.unwrap_or(line).min(line);
+        let text = &rest[..self.name_in(&rest[..end]).unwrap_or(end)];
         // In `5 ∠ 53 deg ohm` the angle has its unit, and the whole has its own after that.
         match text.split_once(' ') {
             Some((first, _)) if self.is_behind_angle() => first,
             _ => text,
         }
+    }
+
+    /// Where a name of the answer stands after other letters, which are the unit before it: `5 rad/s t`.
+    fn name_in(&self, text: &str) -> Option<usize> {
+        if self.lexicon.is_empty() {
+            return None;
+        }
+        let is_of_word = |char: char| char.is_alphanumeric() || char == '_';
+        let begins = |at: usize| !text[..at].ends_with(is_of_word);
+        let mut places = text.char_indices().map(|(at, _)| at).skip(1);
+        places.find(|at| {
+            let rest = &text[*at..];
+            let end = rest.find(|char| !is_of_word(char)).unwrap_or(rest.len());
+            begins(*at) && self.lexicon.reads(&rest[..end]).is_some()
+        })
     }
 
     /// Takes the unit that stands here; whether one does.

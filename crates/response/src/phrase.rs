@@ -1,7 +1,7 @@
 //! Words, as responses and options are made of: without regard to case, spacing and the signs around them.
 
-use super::Folded;
 use super::words::{ANNOUNCEMENTS, ARTICLES, DENIALS, THINGS};
+use super::{Folded, Passage};
 use vibank_source::lower;
 
 /// Letters of the shortest words that stand for others in another form than theirs.
@@ -34,6 +34,11 @@ impl Phrase {
     /// As they were typed.
     pub fn typed(&self) -> &str {
         &self.typed
+    }
+
+    /// The passage that they are.
+    pub fn passage(&self) -> Passage<'_> {
+        Passage::of(&self.typed)
     }
 
     /// Whether they are those of a text in small letters.

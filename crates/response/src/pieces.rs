@@ -1,24 +1,21 @@
 //! The pieces of a function: the times for which it is meant to hold, and other functions for other times.
 
-use super::behind::with_unit;
+use super::Passage;
 use super::list::cut;
-use super::ranges::Side;
-use super::{Lexicon, Manner, TypedError, chain};
-use vibank_formula::expr::{Expr, Kind};
 use vibank_source::Span;
 
 /// A function with the times for which it holds.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct FunctionPiece<'r> {
     /// The function, perhaps with its name.
-    pub formula: Side<'r>,
+    pub formula: Passage<'r>,
     /// When it holds, if that is said.
-    pub condition: Option<Side<'r>>,
+    pub condition: Option<Passage<'r>>,
 }
 
 /// The pieces of a function, each on a line or after a semicolon, `…, t < 1; …, t >= 1` or `… if t < 1 otherwise …`;
 /// one piece with its times, if there is no more.
-pub fn function_pieces(response: &str) -> Vec<FunctionPiece<'_>> {
+pub(crate) fn function_pieces(response: &str) -> Vec<FunctionPiece<'_>> {
     if let Some(pieces) = conditional(response) {
         return pieces;
     }
@@ -36,7 +33,7 @@ pub fn function_pieces(response: &str) -> Vec<FunctionPiece<'_>> {
         && pieces[..last].iter().all(|piece| piece.condition.is_some())
         && !pieces[1..]
             .iter()
-            .any(|piece| piece.formula.typed().contains('='));
+            .any(|piece| piece.formula.text().contains('='));
     if !is_by_pieces {
         pieces = vec![piece(response)];
     }
@@ -48,12 +45,12 @@ fn conditional(text: &str) -> Option<Vec<FunctionPiece<'_>>> {
     let (condition, rest) = text.trim().strip_prefix("if ")?.split_once(" then ")?;
     let (formula, otherwise) = rest.split_once(" otherwise ")?;
     let last = FunctionPiece {
-        formula: Side::of(otherwise),
+        formula: Passage::of(otherwise),
         condition: None,
     };
     let first = FunctionPiece {
-        formula: Side::of(formula),
-        condition: Some(Side::of(condition)),
+        formula: Passage::of(formula),
+        condition: Some(Passage::of(condition)),
     };
     let others = conditional(otherwise).unwrap_or(vec![last]);
     Some(std::iter::once(first).chain(others).collect())
@@ -80,33 +77,19 @@ fn piece(text: &str) -> FunctionPiece<'_> {
         Some((at, sign)) => {
             let condition = text[at + sign.len()..].trim();
             FunctionPiece {
-                formula: Side::of(text[..at].trim_end().trim_end_matches(',')),
-                condition: Some(Side::of(condition.trim_matches(['(', ')', ' ']))),
+                formula: Passage::of(text[..at].trim_end().trim_end_matches(',')),
+                condition: Some(Passage::of(condition.trim_matches(['(', ')', ' ']))),
             }
         }
         None => FunctionPiece {
-            formula: Side::of(text),
+            formula: Passage::of(text),
             condition: None,
         },
     }
 }
 
-impl Side<'_> {
-    /// The comparison that a condition is; the unit after a number of it, one of SI, adds nothing.
-    ///
-    /// # Errors
-    ///
-    /// What cannot be read.
-    pub fn comparison(self, lexicon: &Lexicon, manner: Manner) -> Result<Expr, TypedError> {
-        let text = self.typed();
-        let text = text.trim_start_matches("for ").trim_start_matches("if ");
-        let read = |text: &str| {
-            let chain = chain(text, 0, text.len(), lexicon, manner)?.value;
-            Ok(Expr::derived(Kind::Compare(chain.sides, chain.relations)))
-        };
-        read(text).or_else(|error| {
-            let mut cuts = with_unit(text).filter(|(_, unit)| unit.to_si(1.0) == 1.0);
-            cuts.find_map(|(bare, _)| read(bare).ok()).ok_or(error)
-        })
-    }
+/// A condition without the word that introduces it.
+pub(crate) fn without_if(condition: Passage<'_>) -> Passage<'_> {
+    let text = condition.text();
+    Passage::of(text.trim_start_matches("for ").trim_start_matches("if "))
 }

@@ -17,8 +17,7 @@ use std::ops::Range;
 use self::marks::{CALLS, Mark, Marked, marks};
 use super::list::{cut, cut_where, trimmed};
 use super::words::{CONDITIONS, ONWARDS, RANGES, UNBOUNDED};
-use super::{Lexicon, MAX_LENGTH, Manner, TypedError, formula};
-use vibank_formula::expr::Expr;
+use super::{MAX_LENGTH, Passage};
 use vibank_formula::unit::DecimalMark;
 use vibank_source::Span;
 
@@ -35,7 +34,7 @@ pub enum Ranges<'t> {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Group<'t> {
     /// All of them.
-    pub typed: &'t str,
+    pub typed: Passage<'t>,
     /// At least one.
     pub conditions: Vec<Condition<'t>>,
 }
@@ -44,7 +43,7 @@ pub struct Group<'t> {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Condition<'t> {
     /// The outermost first.
-    pub units: Vec<Side<'t>>,
+    pub units: Vec<Passage<'t>>,
     /// The chain, interval or set within the brackets.
     pub said: Said<'t>,
 }
@@ -55,16 +54,16 @@ pub enum Said<'t> {
     /// Sides with one sign fewer between them; before the sign of one bound nothing may stand.
     Chain {
         /// What is compared.
-        sides: Vec<Side<'t>>,
+        sides: Vec<Passage<'t>>,
         /// The signs in between.
         signs: Vec<Bounding>,
     },
     /// That something lies within an interval.
     Interval {
         /// What lies there, if that is said.
-        subject: Option<Side<'t>>,
+        subject: Option<Passage<'t>>,
         /// The lower and the upper end.
-        ends: [Side<'t>; 2],
+        ends: [Passage<'t>; 2],
         /// Whether each end is left out; none where words do not say.
         open: Option<[bool; 2]>,
     },
@@ -79,35 +78,6 @@ pub struct Bounding {
     pub is_open: bool,
 }
 
-/// A side of a statement: a bound, what is bounded, a function, its condition.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Side<'t>(&'t str);
-
-impl<'t> Side<'t> {
-    pub(crate) fn of(text: &'t str) -> Self {
-        Self(text.trim())
-    }
-
-    /// As it was typed.
-    pub fn typed(self) -> &'t str {
-        self.0
-    }
-
-    /// Whether nothing was typed.
-    pub fn is_empty(self) -> bool {
-        self.0.is_empty()
-    }
-
-    /// The formula that it is.
-    ///
-    /// # Errors
-    ///
-    /// What cannot be read.
-    pub fn formula(self, lexicon: &Lexicon, manner: Manner) -> Result<Expr, TypedError> {
-        formula(self.0, lexicon, manner).map(|typed| typed.value)
-    }
-}
-
 /// Why a response says nothing of values.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum RangeError<'t> {
@@ -116,7 +86,7 @@ pub enum RangeError<'t> {
     /// Nothing stands where a condition is expected.
     Missing,
     /// What neither a sign nor a bracket makes a condition of.
-    NoCondition(Side<'t>),
+    NoCondition(Passage<'t>),
     /// The bracket of an interval is missing.
     Bracket,
     /// An interval has another number of ends than two.
@@ -131,7 +101,8 @@ impl<'t> Ranges<'t> {
     /// # Errors
     ///
     /// Where it is something else.
-    pub fn read(text: &'t str, mark: DecimalMark) -> Read<'t, Self> {
+    pub fn read(passage: Passage<'t>, mark: DecimalMark) -> Read<'t, Self> {
+        let text = passage.text();
         if text.len() > MAX_LENGTH {
             return Err(RangeError::TooLong);
         }
@@ -160,7 +131,7 @@ impl<'t> Ranges<'t> {
         let group = |span: Span| {
             let conditions = reader.parted(span, |mark| mark == Mark::And).into_iter();
             Ok(Group {
-                typed: text[span.range()].trim(),
+                typed: Passage::of(&text[span.range()]),
                 conditions: conditions
                     .map(|span| reader.condition(span))
                     .collect::<Read<'t, _>>()?,
@@ -178,8 +149,8 @@ struct Reader<'t> {
 }
 
 impl<'t> Reader<'t> {
-    fn side(&self, range: Range<usize>) -> Side<'t> {
-        Side::of(&self.text[range])
+    fn side(&self, range: Range<usize>) -> Passage<'t> {
+        Passage::of(&self.text[range])
     }
 
     fn within(&self, span: Span) -> impl Iterator<Item = &Marked> {
@@ -269,7 +240,7 @@ impl<'t> Reader<'t> {
     }
 
     /// `[a, b)`, `]a; b]`, `x in [a, b]`, and the calls of programs for such.
-    fn interval(&self, span: Span, units: &mut Vec<Side<'t>>) -> Read<'t, Said<'t>> {
+    fn interval(&self, span: Span, units: &mut Vec<Passage<'t>>) -> Read<'t, Said<'t>> {
         let (start, end) = (span.range().start, span.range().end);
         if let Some(called) = self.called(span) {
             return called;
@@ -295,7 +266,7 @@ impl<'t> Reader<'t> {
     }
 
     /// What stands before an interval, without the sign that says that it lies there.
-    fn subject(&self, lead: Range<usize>) -> Option<Side<'t>> {
+    fn subject(&self, lead: Range<usize>) -> Option<Passage<'t>> {
         let lead = Span::new(lead.start, lead.end);
         let element = self
             .within(lead)
@@ -307,12 +278,12 @@ impl<'t> Reader<'t> {
             .map_or(lead.range().end, |own| own.at.start);
         let typed = self.side(lead.range());
         let own = self.text[lead.range().start..end].trim_end();
-        let own = Side::of(own.trim_end_matches(['=', ':']));
+        let own = Passage::of(own.trim_end_matches(['=', ':']));
         (!typed.is_empty()).then_some(own)
     }
 
     /// The two ends of an interval: a comma parts them unless a semicolon does.
-    fn ends(&self, body: Span) -> Read<'t, [Side<'t>; 2]> {
+    fn ends(&self, body: Span) -> Read<'t, [Passage<'t>; 2]> {
         let mut ends = cut(self.text, body, &[';']);
         if ends.len() == 1 {
             let spaced = self.text[body.range()].find(", ");
@@ -347,8 +318,11 @@ impl<'t> Reader<'t> {
             Ok(ends) => ends,
             Err(error) => return Some(Err(error)),
         };
-        let opened =
-            |end: Side<'t>| Some(Side::of(end.0.strip_prefix("Open(")?.strip_suffix(')')?));
+        let opened = |end: Passage<'t>| {
+            Some(Passage::of(
+                end.text().strip_prefix("Open(")?.strip_suffix(')')?,
+            ))
+        };
         for (end, open) in ends.iter().zip(&mut open) {
             *open |= opened(*end).is_some();
         }
@@ -407,7 +381,7 @@ fn in_words<'t>(text: &'t str, marks: &[Marked]) -> Option<Vec<Group<'t>>> {
 fn group<'t>(typed: &'t str, said: Said<'t>) -> Group<'t> {
     let units = Vec::new();
     Group {
-        typed,
+        typed: Passage::of(typed),
         conditions: vec![Condition { units, said }],
     }
 }
@@ -415,7 +389,7 @@ fn group<'t>(typed: &'t str, said: Said<'t>) -> Group<'t> {
 /// `0.2 or more`, `from 0.2 on`, `x from 0.2 to infinity`.
 fn onwards(text: &str) -> Option<Said<'_>> {
     let chain = |lead, is_less, bound| Said::Chain {
-        sides: vec![Side::of(lead), Side::of(bound)],
+        sides: vec![Passage::of(lead), Passage::of(bound)],
         signs: vec![Bounding {
             is_less,
             is_open: false,
@@ -450,10 +424,10 @@ fn range(text: &str) -> Option<Said<'_>> {
         (is_value(low) && is_value(high)).then_some((lead, low, high))
     };
     let (lead, low, high) = in_words.or_else(in_signs)?;
-    let lead = Side::of(lead.trim().trim_end_matches(['=', ':']));
+    let lead = Passage::of(lead.trim().trim_end_matches(['=', ':']));
     Some(Said::Interval {
         subject: Some(lead).filter(|lead| !lead.is_empty()),
-        ends: [Side::of(low), Side::of(high)],
+        ends: [Passage::of(low), Passage::of(high)],
         open: None,
     })
 }

@@ -15,7 +15,7 @@ use vibank_source::{Span, lower};
 /// # Errors
 ///
 /// Where more than a symbol stands on the left: `ω0² = k/m` is true, but no formula for ω0.
-pub fn sides(text: &str, lexicon: &Lexicon) -> Result<Vec<Span>, TypedError> {
+pub(crate) fn sides(text: &str, lexicon: &Lexicon) -> Result<Vec<Span>, TypedError> {
     let mut sides = cut_at_equals(text);
     if let Some(end) = label(text, lexicon) {
         sides = cut_at_equals(&text[end..])
@@ -51,7 +51,7 @@ fn label(text: &str, lexicon: &Lexicon) -> Option<usize> {
 
 /// What comes after words that describe what is asked, `the natural frequency ω`, `the amplitude`; nothing where there
 /// are none, or where they say that it is another value, `half the period`.
-pub fn described(text: &str) -> Option<&str> {
+pub(crate) fn described(text: &str) -> Option<&str> {
     /// Shorter words may be products of letters.
     const MIN_LETTERS: usize = 4;
     const SMALL: [&str; 27] = [
@@ -121,7 +121,7 @@ fn greek_prefix(word: &str) -> bool {
 }
 
 /// The pieces of a text between its equals signs, the symbol before the first one among them.
-pub fn statement(text: &str) -> Vec<&str> {
+pub(crate) fn statement(text: &str) -> Vec<&str> {
     let pieces = cut_at_equals(text).into_iter();
     pieces.map(|piece| text[piece.range()].trim()).collect()
 }

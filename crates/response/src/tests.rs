@@ -37,7 +37,7 @@ fn formula(text: &str, lexicon: &Lexicon, manner: Manner) -> Result<Typed<Expr>,
 
 fn reads(text: &str, expected: &str) {
     let typed = formula(text, &lexicon(), MANNER);
-    let typed = typed.unwrap_or_else(|error| panic!("{text}: {:?}", error.at(text)));
+    let typed = typed.unwrap_or_else(|error| panic!("{text}: {:?}", error.at(Passage::of(text))));
     let strict = Expr::read(expected).unwrap();
     assert_eq!(typed.value.to_string(), strict.to_string(), "{text}");
 }
@@ -191,7 +191,8 @@ fn a_datum_printed_with_its_dot_is_read_in_words_and_signs() {
         "\\dot{\\theta}_0",
     ] {
         let typed = formula(text, &lexicon, MANNER);
-        let typed = typed.unwrap_or_else(|error| panic!("{text}: {:?}", error.at(text)));
+        let typed =
+            typed.unwrap_or_else(|error| panic!("{text}: {:?}", error.at(Passage::of(text))));
         assert_eq!(typed.value, Expr::name(name.clone()), "{text}");
     }
 }
@@ -200,11 +201,11 @@ fn a_datum_printed_with_its_dot_is_read_in_words_and_signs() {
 fn ranges_are_read_in_signs_and_words() {
     let said = |text: &str| {
         let told = |condition: &Condition<'_>| {
-            let units = condition.units.iter().map(|unit| unit.typed());
+            let units = condition.units.iter().map(|unit| unit.text());
             let units: String = units.map(|unit| format!(" [{unit}]")).collect();
             let said = match &condition.said {
                 Said::Chain { sides, signs } => {
-                    let sides: Vec<&str> = sides.iter().map(|side| side.typed()).collect();
+                    let sides: Vec<&str> = sides.iter().map(|side| side.text()).collect();
                     let signs = signs.iter().map(|sign| match (sign.is_less, sign.is_open) {
                         (true, true) => "<",
                         (true, false) => "≤",
@@ -222,14 +223,14 @@ fn ranges_are_read_in_signs_and_words() {
                     ends,
                     open,
                 } => {
-                    let subject = subject.map_or("", Side::typed);
-                    let [low, high] = ends.map(Side::typed);
+                    let subject = subject.map_or("", Passage::text);
+                    let [low, high] = ends.map(Passage::text);
                     format!("{subject}:{low};{high}{open:?}")
                 }
             };
             said + &units
         };
-        match Ranges::read(&folded(text), DecimalMark::Point) {
+        match Ranges::read(Passage::of(&folded(text)), DecimalMark::Point) {
             Ok(Ranges::SideBySide(conditions)) => {
                 let told: Vec<String> = conditions.iter().map(told).collect();
                 told.join(" ? ")
@@ -292,7 +293,7 @@ fn ranges_are_read_in_signs_and_words() {
         ("0.2 or more", "≥0.2".to_owned()),
         ("x < ", "x<".to_owned()),
         ("", "Missing".to_owned()),
-        ("0.3", "NoCondition(Side(\"0.3\"))".to_owned()),
+        ("0.3", "NoCondition(Passage(\"0.3\"))".to_owned()),
         ("[0, 1", "Bracket".to_owned()),
         ("[0, 1, 2]", "TwoEnds".to_owned()),
     ] {
@@ -417,7 +418,11 @@ fn what_cannot_be_read_says_where_and_why() {
         ("k ? m", here("?"), Trouble::Sign),
     ] {
         let error = formula(text, &lexicon(), MANNER).unwrap_err();
-        assert_eq!((error.at(text), error.trouble), (at, trouble), "{text}");
+        assert_eq!(
+            (error.at(Passage::of(text)), error.trouble),
+            (at, trouble),
+            "{text}"
+        );
     }
     let error = formula("2secret", &lexicon(), MANNER).unwrap_err();
     assert!(matches!(error.trouble, Trouble::NotAllowed(_)));
@@ -513,16 +518,16 @@ fn lists_that_are_not_clear_are_refused() {
 proptest! {
     #[test]
     fn any_text_is_read_or_refused(text in any::<String>()) {
-        let _ = formula(&text, &lexicon(), MANNER).map_err(|error| error.at(&text));
-        let _ = list::list(&folded(&text), &lexicon(), MANNER, &[], Wanted::Vector).map_err(|error| error.at(&text));
-        let _ = chain(&text, 0, text.len(), &lexicon(), MANNER).map_err(|error| error.at(&text));
+        let _ = formula(&text, &lexicon(), MANNER).map_err(|error| error.at(Passage::of(&text)));
+        let _ = list::list(&folded(&text), &lexicon(), MANNER, &[], Wanted::Vector).map_err(|error| error.at(Passage::of(&text)));
+        let _ = chain(&text, 0, text.len(), &lexicon(), MANNER).map_err(|error| error.at(Passage::of(&text)));
     }
 
     #[test]
     fn any_text_of_formula_signs_is_read_or_refused(text in "[mgkxθω_{}()\\[\\]|/^*+\\-'²√ 0-9.,;=<edt\\\\]{0,60}|(\\\\frac|\\\\sqrt|\\\\dot|\\\\omega|_|\\{|\\}|x|2|sin| ){0,30}") {
-        let _ = formula(&text, &lexicon(), MANNER).map_err(|error| error.at(&text));
-        let _ = list::list(&folded(&text), &lexicon(), MANNER, &[], Wanted::Vector).map_err(|error| error.at(&text));
-        let _ = chain(&text, 0, text.len(), &lexicon(), MANNER).map_err(|error| error.at(&text));
+        let _ = formula(&text, &lexicon(), MANNER).map_err(|error| error.at(Passage::of(&text)));
+        let _ = list::list(&folded(&text), &lexicon(), MANNER, &[], Wanted::Vector).map_err(|error| error.at(Passage::of(&text)));
+        let _ = chain(&text, 0, text.len(), &lexicon(), MANNER).map_err(|error| error.at(Passage::of(&text)));
     }
 }
 
@@ -536,6 +541,6 @@ fn many_decimal_signs_are_refused() {
         comma_is_decimal: true,
         is_complex: false,
     };
-    let values = Values::read(&text, style).unwrap();
+    let values = Values::read(Passage::of(&text), style).unwrap();
     assert!(values.amount(&values.all()).is_err());
 }

@@ -18,7 +18,7 @@ use std::sync::LazyLock;
 use super::both_signs::Two;
 use super::lexer::tokens;
 use super::token::{Item, Token};
-use super::{Lexicon, Manner, Trouble, TypedError};
+use super::{Lexicon, Manner, Passage, Reworded, Trouble, TypedError};
 use vibank_formula::expr::{Constant, Kind};
 use vibank_formula::unit::{DecimalMark, Unit};
 use vibank_source::Span;
@@ -67,7 +67,8 @@ impl<'t> Values<'t> {
     /// # Errors
     ///
     /// Only if it is too long.
-    pub fn read(text: &'t str, style: Style) -> Result<Self, TypedError> {
+    pub fn read(passage: Passage<'t>, style: Style) -> Result<Self, TypedError> {
+        let text = passage.text();
         if text.len() > MAX_LENGTH {
             return Err(TypedError::new(Trouble::TooLong, MAX_LENGTH, text.len()));
         }
@@ -81,13 +82,18 @@ impl<'t> Values<'t> {
     }
 
     /// What was typed.
-    pub fn whole(&self) -> &'t str {
-        self.text
+    pub fn whole(&self) -> Passage<'t> {
+        Passage::of(self.text)
     }
 
     /// What was typed where something cannot be read.
-    pub fn typed(&self, error: &TypedError) -> &'t str {
-        self.text.get(error.span.range()).unwrap_or_default()
+    pub fn typed(&self, error: &TypedError) -> Passage<'t> {
+        self.whole().part(error.span)
+    }
+
+    /// What was typed as a part.
+    pub fn passage(&self, part: &Part) -> Passage<'t> {
+        Passage::of(self.text(part))
     }
 
     /// The whole response as one part.
@@ -95,8 +101,7 @@ impl<'t> Values<'t> {
         0..self.tokens.len()
     }
 
-    /// What was typed as a part.
-    pub fn text(&self, part: &Part) -> &'t str {
+    fn text(&self, part: &Part) -> &'t str {
         let span = self.span(part);
         self.text.get(span.range()).unwrap_or_default()
     }
@@ -192,7 +197,7 @@ impl<'t> Values<'t> {
     }
 
     /// The first bracket without a partner of its kind.
-    pub fn lone_bracket(&self) -> Option<&'t str> {
+    pub fn lone_bracket(&self) -> Option<Passage<'t>> {
         let mut open: Vec<(char, &Token)> = Vec::new();
         for token in &self.tokens {
             let Item::Sign(sign) = token.item else {
@@ -204,13 +209,13 @@ impl<'t> Values<'t> {
                 '{' => '}',
                 ')' | ']' | '}' => match open.pop() {
                     Some((partner, _)) if partner == sign => continue,
-                    _ => return self.text.get(token.span.range()),
+                    _ => return Some(self.whole().part(token.span)),
                 },
                 _ => continue,
             };
             open.push((partner, token));
         }
-        self.text.get(open.first()?.1.span.range())
+        Some(self.whole().part(open.first()?.1.span))
     }
 
     /// The brackets around the whole of a part, by what they hold.
@@ -326,10 +331,10 @@ impl<'t> Values<'t> {
     }
 
     /// A part with the upper and with the lower one of its signs `±`, and whether such is its first sign.
-    pub fn both_signs(&self, part: &Part) -> Option<([String; 2], bool)> {
+    pub fn both_signs(&self, part: &Part) -> Option<([Reworded; 2], bool)> {
         let is_first = self.items(part).next() == Some(&Item::Sign('±'));
         let two = Two::of(self.text(part), 0, self.text(part))?;
-        Some((two.texts(), is_first))
+        Some((two.texts().map(Reworded::of), is_first))
     }
 
     /// The modulus and the angle around `∠`, `at` or `cis`.

@@ -545,7 +545,7 @@ const COUNTED: &[&str] = &[
 ];
 
 /// A count in digits without what is counted: `two degrees of freedom` is `2`; none where nothing of that was typed.
-pub fn count_in_digits(typed: &str) -> Option<String> {
+pub(crate) fn count_in_digits(typed: &str) -> Option<String> {
     let text = typed.trim().trim_end_matches(['.', '!']);
     let without = |what: &&str| {
         let (before, tail) = text.split_at_checked(text.len().checked_sub(what.len())?)?;
@@ -564,6 +564,32 @@ pub fn count_in_digits(typed: &str) -> Option<String> {
         Some((_, number)) => Some(format!("{}{number}", &count[..count.len() - last.len()])),
         None => alone.map(str::to_owned),
     }
+}
+
+/// The word for what is counted, after a number: `2 periods`.
+pub(crate) fn counted(value: &str) -> Option<&str> {
+    const WORDS: [&str; 16] = [
+        "period",
+        "periods",
+        "oscillation",
+        "oscillations",
+        "vibrations",
+        "swings",
+        "times",
+        "dof",
+        "dofs",
+        "degree of freedom",
+        "degrees of freedom",
+        "half-cycles",
+        "half cycles",
+        "modes",
+        "coordinates",
+        "positions",
+    ];
+    let word = value.trim_start_matches(|char: char| !char.is_alphabetic());
+    WORDS
+        .contains(&word.to_ascii_lowercase().as_str())
+        .then_some(word)
 }
 
 /// Roots in other languages, before a bracket.

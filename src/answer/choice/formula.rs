@@ -1,8 +1,7 @@
 //! Options that are formulas, compared as such: `q^2/(2C)`, `0.5 q²/C`.
 
-use crate::expr::{Expr, Name, Normal, Relation};
-use crate::math::symbol;
-use crate::response::{self, Folded, Lexicon, Manner};
+use crate::expr::{Expr, Normal, Relation};
+use crate::response::{Folded, Manner, Passage};
 
 /// A formula, or a comparison of formulas, in letters that mean nothing.
 pub(crate) struct Formula {
@@ -11,17 +10,19 @@ pub(crate) struct Formula {
 }
 
 impl Formula {
-    /// The formula that a text is; nothing for words and for a letter alone.
-    pub(crate) fn of(text: &str) -> Option<Self> {
-        let folded = Folded::of(text).ok()?;
-        let text = folded.text().trim();
-        let lexicon = lexicon(text)?;
+    /// The formula that an option is, as it is printed.
+    pub(crate) fn of_printed(option: &str) -> Option<Self> {
+        Self::of(Folded::of(option).ok()?.passage())
+    }
+
+    /// The formula that a passage is; nothing for words and for a letter alone.
+    pub(crate) fn of(typed: Passage<'_>) -> Option<Self> {
+        let lexicon = typed.free_letters()?;
         let normal = |side: &Expr| Normal::of(side).ok();
-        let (sides, relations) = match response::chain(text, 0, text.len(), &lexicon, Manner::REAL)
-        {
+        let (sides, relations) = match typed.chain(&lexicon, Manner::REAL) {
             Ok(chain) => (chain.value.sides, chain.value.relations),
             Err(_) => {
-                let formula = response::formula(text, &lexicon, Manner::REAL).ok()?.value;
+                let formula = typed.formula(&lexicon, Manner::REAL).ok()?.value;
                 (vec![formula], Vec::new())
             }
         };
@@ -40,42 +41,6 @@ impl Formula {
     }
 }
 
-/// The letters of a text as names; nothing where its letters are words, or where it has no sign of a formula.
-fn lexicon(text: &str) -> Option<Lexicon> {
-    /// Letters in a row that make a word, unless they are a function or a command.
-    const WORD: usize = 4;
-    let is_sign = |char: char| "+-*/^=<>≤≥√½¼¾\\".contains(char) || char.is_numeric();
-    let mut runs = text.split(|char: char| !char.is_ascii_alphabetic());
-    let is_word = |run: &str| {
-        let known = [
-            "sqrt", "frac", "mathrm", "text", "theta", "omega", "Omega", "alpha", "zeta",
-        ];
-        run.len() >= WORD && !known.contains(&run)
-    };
-    if !text.contains(is_sign) || runs.any(is_word) {
-        return None;
-    }
-    let mut lexicon = Lexicon::new();
-    let mut rest = text;
-    while let Some(first) = rest.chars().next() {
-        let (length, name) = response::letter(rest).unwrap_or((first.len_utf8(), String::new()));
-        rest = &rest[length..];
-        if name.is_empty() || first.is_ascii_digit() {
-            continue;
-        }
-        let is_index = |char: char| matches!(char, '₀'..='₉' | '0'..='9' | '_');
-        let behind = rest.trim_start_matches(is_index);
-        let indices = &rest[..rest.len() - behind.len()];
-        let digits = indices
-            .char_indices()
-            .filter_map(|(at, _)| response::letter(&indices[at..]));
-        let name = digits.fold(name, |name, (_, digit)| name + &digit);
-        lexicon.allow(&Name::new(name.as_str()), symbol(&name), false);
-        rest = behind;
-    }
-    Some(lexicon)
-}
-
 #[cfg(test)]
 mod tests {
     use super::Formula;
@@ -83,7 +48,9 @@ mod tests {
     #[test]
     fn a_formula_is_one_however_it_is_written() {
         let is = |typed: &str, printed: &str| {
-            let (Some(typed), Some(printed)) = (Formula::of(typed), Formula::of(printed)) else {
+            let (Some(typed), Some(printed)) =
+                (Formula::of_printed(typed), Formula::of_printed(printed))
+            else {
                 return false;
             };
             typed.is(&printed)
@@ -107,7 +74,7 @@ mod tests {
         ] {
             assert!(!is(typed, printed), "{typed}");
         }
-        assert!(Formula::of("overdamped").is_none());
-        assert!(Formula::of("the resistance R = 2").is_none());
+        assert!(Formula::of_printed("overdamped").is_none());
+        assert!(Formula::of_printed("the resistance R = 2").is_none());
     }
 }

@@ -9,7 +9,7 @@ use crate::answer::{
 use crate::document::Document;
 use crate::math::Math;
 use crate::numerics::Rational;
-use crate::response::Phrase;
+use crate::response::{Passage, Phrase};
 
 /// The options of a part, whatever the data; places are those of the file.
 #[derive(Debug)]
@@ -168,7 +168,7 @@ impl Marker for Chosen {
         }
     }
 
-    fn mark(&self, response: &str) -> Marking {
+    fn mark(&self, response: Passage<'_>) -> Marking {
         let places = match self.places(response) {
             Ok(places) => places,
             Err(unknown) => {

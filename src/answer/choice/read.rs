@@ -2,7 +2,7 @@
 
 use super::formula::Formula;
 use super::marker::Chosen;
-use crate::response::Phrase;
+use crate::response::{Passage, Phrase};
 
 /// The option `yes` or `no` in other words.
 const ASSENTS: [(&str, &[&str]); 2] = [
@@ -60,10 +60,10 @@ impl Chosen {
     fn of_formula(&self, typed: &Phrase) -> Option<usize> {
         /// No option has a formula this long.
         const MAX_LENGTH: usize = 300;
-        let typed = Some(typed.typed()).filter(|typed| typed.len() <= MAX_LENGTH);
-        let typed = Formula::of(typed?)?;
+        let typed = Some(typed.passage()).filter(|typed| typed.is_shorter_than(MAX_LENGTH))?;
+        let typed = Formula::of(typed)?;
         let texts = self.options.texts.iter();
-        let formulas: Vec<Option<Formula>> = texts.map(|text| Formula::of(text)).collect();
+        let formulas: Vec<Option<Formula>> = texts.map(|text| Formula::of_printed(text)).collect();
         self.only(|place| formulas[place].as_ref().is_some_and(|own| own.is(&typed)))
     }
 
@@ -103,8 +103,8 @@ impl Chosen {
     }
 
     /// All that was typed, or what of it is not an option.
-    pub(crate) fn places(&self, response: &str) -> Result<Vec<usize>, String> {
-        let response = Phrase::of(response).without_face();
+    pub(crate) fn places(&self, response: Passage<'_>) -> Result<Vec<usize>, String> {
+        let response = response.words().without_face();
         // All words of an option are it, also those that could announce one: `only if K = 0`. One word may be a letter.
         if let Some(place) = self.of_all_words(&response) {
             return Ok(vec![place]);

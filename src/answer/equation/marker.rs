@@ -13,6 +13,7 @@ use crate::answer::{
 };
 use crate::expr::{Equation, Kind, Name, Program};
 use crate::numerics::Rational;
+use crate::response::Passage;
 use crate::work;
 
 /// A prepared key.
@@ -201,16 +202,16 @@ impl Marker for Prepared {
         Key::clone(self.setup.printed())
     }
 
-    fn echo(&self, response: &str) -> Result<Echo, Unreadable> {
+    fn echo(&self, response: Passage<'_>) -> Result<Echo, Unreadable> {
         let equations = self.setup.read(response)?;
         Ok(Echo::of_reading(self.setup.reading(&equations)))
     }
 
-    fn mark(&self, response: &str) -> Marking {
+    fn mark(&self, response: Passage<'_>) -> Marking {
         self.mark_beside(response, &[])
     }
 
-    fn mark_beside(&self, response: &str, others: &[Beside<'_>]) -> Marking {
+    fn mark_beside(&self, response: Passage<'_>, others: &[Beside<'_>]) -> Marking {
         let setup = &self.setup;
         let equations = match setup.read(response) {
             Ok(equations) => equations,
@@ -240,7 +241,7 @@ impl Marker for Prepared {
         self.wrong(reading, &equations, &typed, &others)
     }
 
-    fn equations(&self, response: &str) -> Option<Equations> {
+    fn equations(&self, response: Passage<'_>) -> Option<Equations> {
         Some(Equations {
             unknowns: self.setup.unknowns.clone(),
             key: self.setup.key.clone(),

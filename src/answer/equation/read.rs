@@ -4,21 +4,20 @@ use super::{Setup, written};
 use crate::answer::{Answered, Reading, Unreadable, Why};
 use crate::expr::{Equation, Expr, Relation};
 use crate::math::Math;
-use crate::response::{self, Chain, Manner, Trouble, equations, unit_of_zero};
+use crate::response::{Chain, Manner, Passage, Trouble, unit_of_zero};
 
 impl Setup {
     /// The equations that a response is.
-    pub(crate) fn read(&self, response: &str) -> Result<Vec<Equation>, Unreadable> {
+    pub(crate) fn read(&self, response: Passage<'_>) -> Result<Vec<Equation>, Unreadable> {
         let mut found = Vec::new();
-        for place in equations(response) {
-            let (from, to) = (place.range().start, place.range().end);
-            if let Some(why) = beside_the_point(&response[place.range()]) {
+        for own in response.equations() {
+            if let Some(why) = beside_the_point(own) {
                 return Err(why);
             }
-            let chain = response::chain(response, from, to, &self.lexicon, Manner::REAL);
+            let chain = own.chain(&self.lexicon, Manner::REAL);
             let chain = chain.map_err(|error| match error.trouble {
                 Trouble::NoRelation => Why::NoEquation.into(),
-                _ => Unreadable::typed(&error, response),
+                _ => Unreadable::typed(&error, own),
             })?;
             let fits = |chain: &Chain| {
                 let equations = of_chain(chain).unwrap_or_default();
@@ -26,7 +25,7 @@ impl Setup {
                 equations.all(|equation| equation.check(&self.meaning).is_ok())
             };
             for equation in of_chain(&chain.fitting(fits))? {
-                found.push(self.without_unit_of_zero(equation, response)?);
+                found.push(self.without_unit_of_zero(equation, own)?);
             }
         }
         Ok(found)
@@ -36,7 +35,7 @@ impl Setup {
     fn without_unit_of_zero(
         &self,
         equation: Equation,
-        response: &str,
+        typed: Passage<'_>,
     ) -> Result<Equation, Unreadable> {
         let Equation { left, right } = &equation;
         let found = [(left, right), (right, left)]
@@ -50,8 +49,7 @@ impl Setup {
             right: unit.clone(),
         };
         if measured.check(&self.meaning).is_err() {
-            let place = &response[zero.span().range()];
-            return Err(Unreadable::at(place, Why::UnitOfZero));
+            return Err(Unreadable::at(typed.part(zero.span()), Why::UnitOfZero));
         }
         Ok(Equation {
             left: other.clone(),
@@ -100,10 +98,11 @@ fn of_chain(chain: &Chain) -> Result<Vec<Equation>, Unreadable> {
 }
 
 /// What is said about a number of an equation, which could be a factor, and about the state at the start.
-fn beside_the_point(equation: &str) -> Option<Unreadable> {
-    let equation = equation.trim();
-    if let Some(number) = response::number_of_equation(equation) {
+fn beside_the_point(equation: Passage<'_>) -> Option<Unreadable> {
+    if let Some(number) = equation.number_of_equation() {
         return Some(Unreadable::at(number, Why::EquationNumber));
     }
-    response::is_initial_state(equation).then(|| Unreadable::at(equation, Why::InitialState))
+    equation
+        .is_initial_state()
+        .then(|| Unreadable::at(equation, Why::InitialState))
 }

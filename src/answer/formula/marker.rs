@@ -12,8 +12,7 @@ use crate::answer::{
     Remark, Slip, Trial, Unreadable, Verdict, Why,
 };
 use crate::expr::Expr;
-use crate::response::{self, Trouble, TypedError};
-use crate::source::Span;
+use crate::response::{Passage, Trouble, TypedError};
 use crate::unit::DecimalMark;
 
 /// A prepared key.
@@ -41,7 +40,7 @@ struct Read {
 
 impl Prepared {
     /// The marking of a formula alone, without a unit after it.
-    pub(crate) fn mark_alone(&self, response: &str) -> Result<Marking, TypedError> {
+    pub(crate) fn mark_alone(&self, response: Passage<'_>) -> Result<Marking, TypedError> {
         let mut readings = self.readings(response)?.into_iter();
         let Some(first) = readings.next() else {
             return Ok(Marking::unreadable(Why::Incomparable));
@@ -71,7 +70,7 @@ impl Prepared {
     }
 
     /// The readings of a formula, the conventional one first: those of the right dimension, if one has it.
-    fn readings(&self, response: &str) -> Result<Vec<Read>, TypedError> {
+    fn readings(&self, response: Passage<'_>) -> Result<Vec<Read>, TypedError> {
         let typed = self.read(response)?;
         let all = [typed.value].into_iter().chain(typed.others);
         let mut all: Vec<Read> = all
@@ -139,12 +138,12 @@ impl Prepared {
     }
 
     /// Whether another side of the equals signs is a formula that is not the same as the last one.
-    fn contradicts_itself(&self, response: &str) -> bool {
-        let Ok(sides) = response::sides(response, &self.setup.lexicon) else {
+    fn contradicts_itself(&self, response: Passage<'_>) -> bool {
+        let Ok(sides) = response.sides(&self.setup.lexicon) else {
             return false;
         };
-        let differs = |side: &Span| {
-            let Ok(typed) = self.read(&response[side.range()]) else {
+        let differs = |side: &Passage<'_>| {
+            let Ok(typed) = self.read(*side) else {
                 return false;
             };
             let mut readings = [typed.value].into_iter().chain(typed.others);
@@ -158,7 +157,7 @@ impl Prepared {
     }
 
     /// Whether a response is a number in the unit of the key.
-    fn is_number(&self, response: &str) -> bool {
+    fn is_number(&self, response: Passage<'_>) -> bool {
         let has_key_dimension = |quantity: crate::unit::Quantity| {
             Some(quantity.unit.dimension()) == self.setup.kind.dimension()
         };
@@ -200,20 +199,20 @@ impl Marker for Prepared {
         Key::clone(self.setup.printed())
     }
 
-    fn echo(&self, response: &str) -> Result<Echo, Unreadable> {
+    fn echo(&self, response: Passage<'_>) -> Result<Echo, Unreadable> {
         let unread = |error: TypedError| Unreadable::typed(&error, response);
         let readings = match self.readings(response) {
             Ok(readings) => readings,
             Err(error) => {
-                let (formula, _) = self.before_unit(response).ok_or_else(|| unread(error))?;
-                self.readings(formula).map_err(unread)?
+                let cut = self.before_unit(response).ok_or_else(|| unread(error))?;
+                self.readings(cut.formula).map_err(unread)?
             }
         };
         let readings = readings.iter().map(|read| self.reading(&read.expr));
         Echo::of(readings).ok_or_else(|| Why::Incomparable.into())
     }
 
-    fn mark(&self, response: &str) -> Marking {
+    fn mark(&self, response: Passage<'_>) -> Marking {
         match self.mark_alone(response) {
             Ok(marking) if marking.reasons().contains(&Reason::Dimension) => {
                 self.right_before_unit(response).unwrap_or(marking)

@@ -3,19 +3,19 @@
 use super::marker::Prepared;
 use crate::answer::{Marking, Misfit, Note, Unreadable, Verdict, Why};
 use crate::expr::{Expr, Field};
-use crate::response::{self, Manner, Typed, TypedError};
+use crate::response::{BeforeUnit, Manner, Passage, Typed, TypedError};
 use crate::unit::Unit;
 
 impl Prepared {
     /// The readings of a formula. Where all is real, the imaginary unit may stand in what comes out real, `|1 + iζ|`.
-    pub(crate) fn read(&self, response: &str) -> Result<Typed<Expr>, TypedError> {
+    pub(crate) fn read(&self, response: Passage<'_>) -> Result<Typed<Expr>, TypedError> {
         let read = |has_imaginary_unit| {
             let manner = Manner {
                 comma_is_decimal: true,
                 has_imaginary_unit,
                 values: None,
             };
-            response::formula(response, &self.setup.lexicon, manner)
+            response.formula(&self.setup.lexicon, manner)
         };
         let is_complex = self.setup.kind.field() == Field::Complex
             || self
@@ -68,43 +68,43 @@ impl Prepared {
     }
 
     /// A formula and the unit that comes after it all the same, `sqrt(k/m) rad/s`.
-    pub(crate) fn before_unit<'a>(&self, response: &'a str) -> Option<(&'a str, Unit)> {
+    pub(crate) fn before_unit<'t>(&self, response: Passage<'t>) -> Option<BeforeUnit<'t>> {
         let has_names = self.has_names();
-        let reads = |(text, _): &(&str, Unit)| {
-            let typed = self.read(text);
+        let reads = |cut: &BeforeUnit<'_>| {
+            let typed = self.read(cut.formula);
             typed.is_ok_and(|typed| !has_names || !typed.value.names().free.is_empty())
         };
-        response::with_unit(response).find(reads)
+        response.before_units().find(reads)
     }
 
     /// The marking of a formula before a unit: one in which it comes out is passed over, another one handed back.
-    pub(crate) fn mark_before_unit(&self, response: &str) -> Option<Marking> {
-        let (formula, unit) = self.before_unit(response)?;
-        let unit_text = response[formula.len()..].trim();
+    pub(crate) fn mark_before_unit(&self, response: Passage<'_>) -> Option<Marking> {
+        let cut = self.before_unit(response)?;
+        let BeforeUnit { unit, typed, .. } = cut;
         if !self.has_dimension(&unit) {
             // `x0/C` is more likely a letter that is not known.
-            let is_spaced = formula.ends_with(char::is_whitespace);
-            return is_spaced
-                .then(|| Marking::unreadable(Unreadable::at(unit_text, Why::UnitBehindLetters)));
+            return cut
+                .is_spaced
+                .then(|| Marking::unreadable(Unreadable::at(typed, Why::UnitBehindLetters)));
         }
         if !self.is_own(&unit) {
             let own = Why::UnitComesOut(self.unit());
-            return Some(Marking::unreadable(Unreadable::at(unit_text, own)));
+            return Some(Marking::unreadable(Unreadable::at(typed, own)));
         }
-        let mut marking = self.mark_alone(formula).ok()?;
+        let mut marking = self.mark_alone(cut.formula).ok()?;
         if self.has_names() && marking.reading.is_some() {
-            let note = Note::LettersCarryUnits(unit_text.to_owned());
+            let note = Note::LettersCarryUnits(typed.into());
             marking.remarks.push(note.into());
         }
         Some(marking)
     }
 
     /// The marking of a formula with a unit that is read as letters, `mg/k m`, if the formula alone is right.
-    pub(crate) fn right_before_unit(&self, response: &str) -> Option<Marking> {
-        let (formula, unit) = self.before_unit(response)?;
-        let is_right = self.has_dimension(&unit)
+    pub(crate) fn right_before_unit(&self, response: Passage<'_>) -> Option<Marking> {
+        let cut = self.before_unit(response)?;
+        let is_right = self.has_dimension(&cut.unit)
             && self
-                .mark_alone(formula)
+                .mark_alone(cut.formula)
                 .is_ok_and(|marking| marking.verdict == Verdict::Right);
         is_right.then(|| self.mark_before_unit(response)).flatten()
     }

@@ -16,6 +16,7 @@ use crate::answer::{
 };
 use crate::expr::{Expr, Form, Inputs, Kind, Precise, Scalar, Undefined};
 use crate::quantity::{Absent, Evaluation, NodeId};
+use crate::response::Passage;
 use crate::unit::{Dimension, Unit};
 use crate::work;
 
@@ -252,7 +253,7 @@ impl Marker for Prepared<'_> {
         !self.windows().is_empty()
     }
 
-    fn mark(&self, response: &str) -> Marking {
+    fn mark(&self, response: Passage<'_>) -> Marking {
         match self.read(response) {
             Ok(response) => self.judged(response),
             Err(why) => Marking::unreadable(why),

@@ -46,7 +46,6 @@ mod read;
 mod samples;
 mod slip;
 mod span;
-mod units;
 
 use std::cell::OnceCell;
 use std::rc::Rc;
@@ -89,6 +88,8 @@ pub(crate) struct Setup {
     is_in_pieces: bool,
     meaning: Meaning,
     lexicon: Lexicon,
+    /// The variable alone: where numbers have units, other letters are such.
+    of_numbers: Lexicon,
     /// The letters of its answer line.
     letters: Vec<Expr>,
     labels: Labels,
@@ -164,6 +165,7 @@ pub(crate) fn read(part: &Table<'_>, declare: &mut dyn Declare) -> Option<Box<dy
             kind,
             unit,
             labels: Labels::of(declare, named.as_ref(), &variable),
+            of_numbers: Lexicon::new().with(&variable, crate::math::symbol(variable.as_str())),
             is_in_pieces: late::is_in_pieces(&in_data, &variable),
             variable,
             meaning,

@@ -2,27 +2,33 @@
 
 use super::marker::{Prepared, Response};
 use super::slip::without_waves;
-use super::units::{contains_letter, measured, without_rates, without_words};
 use crate::answer::{Answered, Reading, Unreadable, Why};
 use crate::expr::{Expr, Function, Kind};
 use crate::math::Math;
-use crate::response::{self, FunctionPiece, Manner, Side, Typed, TypedError, function_pieces};
+use crate::response::{
+    FunctionPiece, Lexicon, Manner, Measured, Passage, Reworded, Trouble, Typed, TypedError,
+    ValueTrouble,
+};
 use crate::unit::Unit;
 
 impl Prepared<'_> {
     /// The function that a response is: the last form of it that was typed, which the others have to equal.
-    pub(crate) fn read(&self, response: &str) -> Result<Response, Unreadable> {
+    pub(crate) fn read(&self, response: Passage<'_>) -> Result<Response, Unreadable> {
         let labels = &self.setup.labels;
-        let renamed = self.of_own_variable(response);
-        let response = renamed.as_deref().unwrap_or(response);
-        let pieces = function_pieces(response);
+        let setup = &self.setup;
+        let is_free = setup.lexicon.reads("tau").is_none();
+        let renamed = response
+            .of_own_variable(&setup.variable)
+            .filter(|_| is_free);
+        let response = renamed.as_ref().map_or(response, Reworded::passage);
+        let pieces = response.function_pieces();
         let (first, others) = match &pieces[..] {
             [] => (response, &[][..]),
-            [one] => (labels.asked(one.formula.typed())?, &[][..]),
-            [first, ..] => (first.formula.typed(), &pieces[1..]),
+            [one] => (labels.asked(one.formula)?, &[][..]),
+            [first, ..] => (first.formula, &pieces[1..]),
         };
         let (last, forms) = labels.forms(first)?;
-        let mut read = self.function(last.trim())?;
+        let mut read = self.function(last)?;
         if let (Some(FunctionPiece { condition, .. }), false) = (pieces.first(), others.is_empty())
         {
             read = self.by_pieces(read, *condition, others)?;
@@ -35,34 +41,22 @@ impl Prepared<'_> {
         ] = &pieces[..]
             && self.is_mostly_excluded(*condition)
         {
-            return Err(Unreadable::at(condition.typed(), Why::OutsideOfSpan));
+            return Err(Unreadable::at(*condition, Why::OutsideOfSpan));
         }
         for form in &forms {
             let same = self
                 .values_of(form)
                 .is_some_and(|values| self.fits(&read.values, &values));
             if !same {
-                return Err(Why::UnequalFunctions(last.trim().to_owned()).into());
+                return Err(Why::UnequalFunctions(last.into()).into());
             }
         }
         Ok(read)
     }
 
-    /// A function of another name for the time, `x(τ) = … τ …`, with its own name for it.
-    fn of_own_variable(&self, response: &str) -> Option<String> {
-        const OTHERS: [&str; 3] = ["\\tau", "tau", "τ"];
-        let setup = &self.setup;
-        let (label, formula) = response.split_once('=')?;
-        let (_, argument) = label.trim().strip_suffix(')')?.split_once('(')?;
-        let other = OTHERS.iter().find(|other| **other == argument.trim())?;
-        let variable = setup.variable.as_str();
-        let is_free = setup.lexicon.reads("tau").is_none() && !contains_letter(formula, variable);
-        (is_free && formula.contains(other)).then(|| response.replace(other, variable))
-    }
-
     /// Whether a condition excludes more than half of the span, `t < 0`; a bound that is rounded excludes less, and what
     /// is said of anything else but the variable excludes nothing.
-    fn is_mostly_excluded(&self, condition: Side<'_>) -> bool {
+    fn is_mostly_excluded(&self, condition: Passage<'_>) -> bool {
         let excluded = || {
             let holds = condition
                 .comparison(&self.setup.lexicon, Manner::REAL)
@@ -79,14 +73,14 @@ impl Prepared<'_> {
     fn by_pieces(
         &self,
         first: Response,
-        holds: Option<Side<'_>>,
+        holds: Option<Passage<'_>>,
         others: &[FunctionPiece<'_>],
     ) -> Result<Response, Unreadable> {
         let lexicon = &self.setup.lexicon;
         let Some((next, rest)) = others.split_first() else {
             return Ok(first);
         };
-        let otherwise = self.function(next.formula.typed())?;
+        let otherwise = self.function(next.formula)?;
         let otherwise = self.by_pieces(otherwise, next.condition, rest)?;
         let are_alike = first.units.len() == otherwise.units.len()
             && first
@@ -100,7 +94,7 @@ impl Prepared<'_> {
         let condition = holds.unwrap_or_default();
         let holds = condition
             .comparison(lexicon, Manner::REAL)
-            .map_err(|error| Unreadable::typed(&error, condition.typed()))?;
+            .map_err(|error| Unreadable::typed(&error, condition))?;
         let expr = Expr::derived(Kind::If(holds, first.expr, otherwise.expr));
         Ok(Response {
             reading: Reading {
@@ -115,13 +109,13 @@ impl Prepared<'_> {
     }
 
     /// A formula of real numbers, or one of complex numbers that is real: `Re(A e^(iωt))`, a sum of conjugate ones.
-    fn formula(&self, text: &str) -> Result<Typed<Expr>, TypedError> {
+    fn formula(&self, typed: Passage<'_>) -> Result<Typed<Expr>, TypedError> {
         let lexicon = &self.setup.lexicon;
-        let read = response::formula(text, lexicon, Manner::REAL);
-        if read.is_ok() || !text.contains(['i', 'j', 'I']) {
+        let read = typed.formula(lexicon, Manner::REAL);
+        if read.is_ok() || !typed.may_be_complex() {
             return read;
         }
-        let complex = response::formula(text, lexicon, Manner::COMPLEX).ok();
+        let complex = typed.formula(lexicon, Manner::COMPLEX).ok();
         let real = complex.and_then(|typed| self.real(typed.value));
         real.map_or(read, |value| {
             Ok(Typed {
@@ -146,20 +140,15 @@ impl Prepared<'_> {
     }
 
     /// Whether letters are names or units is decided by the dimension, not by what is right.
-    fn function(&self, text: &str) -> Result<Response, Unreadable> {
-        let setup = &self.setup;
-        let plain = without_words(text);
-        let text = plain.as_deref().unwrap_or(text);
-        let has_seconds = setup.lexicon.reads("s").is_none();
-        let bare = has_seconds.then(|| without_rates(text, setup.variable.as_str()));
-        let text = bare.as_ref().and_then(Option::as_deref).unwrap_or(text);
-        match self.formula(text) {
+    fn function(&self, typed: Passage<'_>) -> Result<Response, Unreadable> {
+        match self.formula(typed) {
             Err(error) => self
-                .with_unit(text)
-                .unwrap_or_else(|| Err(Unreadable::typed(&error, text))),
-            Ok(typed) => {
-                let expr = self.of_right_dimension(typed);
-                let unit = self.with_unit(text).filter(|_| self.has_data(&expr));
+                .with_unit(typed)
+                .or_else(|| self.with_rates(typed).map(Ok))
+                .unwrap_or_else(|| Err(Unreadable::typed(&error, typed))),
+            Ok(read) => {
+                let expr = self.of_right_dimension(read);
+                let unit = self.with_unit(typed).filter(|_| self.has_data(&expr));
                 match unit {
                     Some(Ok(_)) if self.has_dimension(&expr) => Err(Why::UnitOrQuantity.into()),
                     Some(read) if !self.has_dimension(&expr) => read,
@@ -192,53 +181,74 @@ impl Prepared<'_> {
         }
     }
 
-    /// A function of numbers with a unit, after each of its terms or after the whole.
-    fn with_unit(&self, text: &str) -> Option<Result<Response, Unreadable>> {
+    /// A function of numbers with a unit, after each of its terms or after the whole, or in its arguments alone.
+    fn with_unit(&self, typed: Passage<'_>) -> Option<Result<Response, Unreadable>> {
         let setup = &self.setup;
         let own = setup.unit?;
-        let variable = setup.variable.as_str();
-        let bare = |text: &str| {
-            let typed = self.formula(text).ok()?;
-            (!self.has_data(&typed.value)).then_some(typed.value)
+        let read = match self.measured(typed, &setup.of_numbers) {
+            Ok(read) => read,
+            Err(error) => {
+                let has_no_common = matches!(
+                    error.trouble,
+                    Trouble::Value(ValueTrouble::UnitOfOne | ValueTrouble::Units)
+                );
+                return has_no_common.then(|| Err(Why::UnitOfTerms.into()));
+            }
         };
-        let terms = measured(text, variable, |unit| unit.dimension() == own.dimension());
-        let has_some = terms.is_some();
-        let by_terms = terms.and_then(|found| {
-            let (once, twice) = (bare(&found.bare)?, bare(&found.doubled)?);
-            let (values, doubled) = (self.values_of(&once)?, self.values_of(&twice)?);
-            let mut pairs = values.iter().zip(&doubled);
-            // With all units doubled the function doubles only if each of its terms has one.
-            let is_whole = pairs.all(|(value, doubled)| {
-                (2.0 * value - doubled).abs() <= 1e-9 * doubled.abs().max(value.abs())
-            });
-            is_whole.then_some((once, found.unit))
-        });
-        let found = by_terms.or_else(|| {
-            let mut cuts = response::with_unit(text)
-                .filter(|(formula, _)| !contains_letter(&text[formula.len()..], variable));
-            cuts.find_map(|(formula, unit)| Some((bare(formula)?, unit)))
-        });
-        let Some((expr, unit)) = found else {
-            return has_some.then(|| Err(Why::UnitOfTerms.into()));
+        let is_own = |unit: &Unit| unit.dimension() == own.dimension();
+        let Measured { formula, unit } = read.fitting(|own| own.unit.as_ref().is_none_or(is_own));
+        let Some(unit) = unit else {
+            return Some(Ok(self.bare(formula)));
         };
-        if unit.dimension() != own.dimension() {
+        if !is_own(&unit) {
             return Some(Err(Why::UnitOfFunction(own).into()));
         }
         let units = vec![unit];
         Some(Ok(Response {
             reading: Reading {
                 math: Math::row([
-                    expr.typeset(&setup.lexicon),
+                    formula.typeset(&setup.lexicon),
                     Math::thin_space(),
                     unit.math(),
                 ]),
-                text: format!("({expr}) {}", unit.text()),
-                answered: Answered::Function(expr.clone(), Some(unit)),
+                text: format!("({formula}) {}", unit.text()),
+                answered: Answered::Function(formula.clone(), Some(unit)),
             },
-            values: self.values_in(&expr, &units).unwrap_or_default(),
+            values: self.values_in(&formula, &units).unwrap_or_default(),
             units,
-            expr,
+            expr: formula,
         }))
+    }
+
+    /// A function in letters with units in its arguments, `x0 e^(-0.75 s⁻¹ t)`.
+    fn with_rates(&self, typed: Passage<'_>) -> Option<Response> {
+        let read = self.measured(typed, &self.setup.lexicon).ok()?;
+        let bare = read.value.unit.is_none();
+        bare.then(|| self.bare(read.value.formula))
+    }
+
+    /// The function with units that a passage is, if it has real values.
+    fn measured(
+        &self,
+        typed: Passage<'_>,
+        lexicon: &Lexicon,
+    ) -> Result<Typed<Measured>, TypedError> {
+        let real = typed.measured(lexicon, false);
+        if real.is_ok() || !typed.may_be_complex() {
+            return real;
+        }
+        let complex = typed.measured(lexicon, true).ok();
+        let value = complex.and_then(|typed| {
+            let Measured { formula, unit } = typed.value;
+            let formula = self.real(formula)?;
+            Some(Measured { formula, unit })
+        });
+        value.map_or(real, |value| {
+            Ok(Typed {
+                value,
+                others: Vec::new(),
+            })
+        })
     }
 
     /// Whether a function with letters can have the dimension of the key, apart from what stands in its waves.

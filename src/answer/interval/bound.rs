@@ -7,14 +7,13 @@ use super::{Written, compared, is_infinite};
 use crate::answer::numeric;
 use crate::answer::{Misfit, Unreadable, Why};
 use crate::expr::{Expr, Kind, Workspace};
-use crate::response::{Manner, Side};
+use crate::response::{Manner, Passage};
 use crate::unit::{Quantity, Unit};
 
 impl Ends<'_> {
     /// The value of a bound in SI units.
-    pub(crate) fn side(&self, side: Side<'_>, unit: &mut Option<Unit>) -> Read<f64> {
-        let typed = side.typed();
-        let number = self.number(typed, unit);
+    pub(crate) fn side(&self, side: Passage<'_>, unit: &mut Option<Unit>) -> Read<f64> {
+        let number = self.number(side, unit);
         // Of `√(2km)` the letters could be a unit, kilometres, that does not fit.
         let is_formula = number.is_err() && self.fits_in_letters(side);
         if !is_formula && let Some(number) = number? {
@@ -38,21 +37,21 @@ impl Ends<'_> {
         }
         let found = expr
             .check(&self.setup.meaning)
-            .map_err(|errors| Unreadable::at(typed, Why::Dimension(errors.first().cloned())))?;
+            .map_err(|errors| Unreadable::at(side, Why::Dimension(errors.first().cloned())))?;
         let has_names = !expr.names().free.is_empty();
         if self.setup.written == Written::Number && has_names {
             return Err(Why::BoundsAsNumbers.into());
         }
         if has_names && !found.fits(&compared(self.setup)) {
             return Err(Misfit::Bound {
-                typed: typed.to_owned(),
+                typed: side.into(),
                 read: self.setup.lexicon.written(&expr),
                 symbol,
             }
             .into());
         }
         let value = self.value(&expr);
-        let value = value.ok_or_else(|| Unreadable::at(typed, Why::BoundValue))?;
+        let value = value.ok_or_else(|| Unreadable::at(side, Why::BoundValue))?;
         Ok(if has_names {
             value
         } else {
@@ -61,7 +60,7 @@ impl Ends<'_> {
     }
 
     /// Whether a bound is a formula with letters of the question that has the dimension of what is asked.
-    fn fits_in_letters(&self, side: Side<'_>) -> bool {
+    fn fits_in_letters(&self, side: Passage<'_>) -> bool {
         self.formula(side).is_ok_and(|expr| {
             let found = expr.check(&self.setup.meaning);
             !expr.names().free.is_empty()
@@ -70,8 +69,8 @@ impl Ends<'_> {
     }
 
     /// The number that a bound is in SI units, if it is one; without a unit it has the one at hand.
-    pub(crate) fn number(&self, text: &str, unit: &mut Option<Unit>) -> Read<Option<f64>> {
-        let Some(number) = self.quantity(text) else {
+    pub(crate) fn number(&self, side: Passage<'_>, unit: &mut Option<Unit>) -> Read<Option<f64>> {
+        let Some(number) = self.quantity(side) else {
             return Ok(None);
         };
         let asked = self.setup.unit;
@@ -91,9 +90,9 @@ impl Ends<'_> {
         Ok(Some(si))
     }
 
-    /// A quantity, if a text is one.
-    pub(crate) fn quantity(&self, text: &str) -> Option<Quantity> {
-        let (first, others) = numeric::readings(text, self.mark).ok()?;
+    /// A quantity, if a side is one.
+    pub(crate) fn quantity(&self, side: Passage<'_>) -> Option<Quantity> {
+        let (first, others) = numeric::readings(side, self.mark).ok()?;
         if !others.is_empty() {
             self.is_doubtful.set(true);
         }
@@ -101,9 +100,10 @@ impl Ends<'_> {
         Some(other.unwrap_or(first))
     }
 
-    pub(crate) fn formula(&self, side: Side<'_>) -> Result<Expr, Unreadable> {
+    pub(crate) fn formula(&self, side: Passage<'_>) -> Result<Expr, Unreadable> {
         side.formula(&self.setup.lexicon, Manner::REAL)
-            .map_err(|error| Unreadable::typed(&error, side.typed()))
+            .map(|typed| typed.value)
+            .map_err(|error| Unreadable::typed(&error, side))
     }
 
     /// The value of a formula in SI units.

@@ -37,7 +37,7 @@ use super::{
 use crate::expr::{Constant, Expr, Kind as Node, Name, Precise, Type};
 use crate::math::Math;
 use crate::quantity::{Absent, NodeId};
-use crate::response::Lexicon;
+use crate::response::{Lexicon, Passage};
 use crate::source::{Table, Text, Value};
 use crate::unit::{Decimal, DecimalMark, Quantity, Unit};
 
@@ -448,7 +448,7 @@ impl Marker for Prepared {
         text.filter(|_| is_number)
     }
 
-    fn mark(&self, response: &str) -> Marking {
+    fn mark(&self, response: Passage<'_>) -> Marking {
         let candidate = |marking: Marking| {
             let read = marking.reading.as_ref();
             let shown = read.map_or_else(String::new, |reading| reading.math.plain());
@@ -466,7 +466,7 @@ impl Marker for Prepared {
 
 impl Prepared {
     /// The marking of one reading of a response, and whether there is another.
-    fn judged(&self, response: &str, is_otherwise: bool) -> (Marking, bool) {
+    fn judged(&self, response: Passage<'_>, is_otherwise: bool) -> (Marking, bool) {
         let ends = Ends {
             setup: &self.setup,
             data: &self.data,
@@ -478,14 +478,14 @@ impl Prepared {
         (self.marked(response, read), ends.is_doubtful.get())
     }
 
-    fn marked(&self, response: &str, read: Result<Set, Refusal>) -> Marking {
+    fn marked(&self, response: Passage<'_>, read: Result<Set, Refusal>) -> Marking {
         let typed = match read {
             Ok(set) => set.cut(self.within.as_ref()),
             Err(Refusal::Unread(why)) => return Marking::unreadable(*why),
             Err(Refusal::Misfit(misfit)) => {
                 let reading = Reading {
-                    math: Math::text(response),
-                    text: response.to_owned(),
+                    math: Math::text(response.to_string()),
+                    text: response.into(),
                     answered: Answered::Set(Vec::new()),
                 };
                 return Marking::wrong(reading, Remark::from(*misfit));

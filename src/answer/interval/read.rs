@@ -7,7 +7,7 @@ use super::set::{End, Set, SetPiece};
 use super::subject::BoundedSubject;
 use crate::answer::{Example, Misfit, Unreadable, Why};
 use crate::expr::Precise;
-use crate::response::{Bounding, Condition, Group, RangeError, Ranges, Said, Side};
+use crate::response::{Bounding, Condition, Group, Passage, RangeError, Ranges, Said};
 use crate::unit::{DecimalMark, Unit};
 
 /// Reads sets for an instance.
@@ -57,7 +57,7 @@ pub(crate) fn like_interval(why: Why) -> Unreadable {
 
 impl Ends<'_> {
     /// The set that a response is.
-    pub(crate) fn read(&self, response: &str) -> Read<Set> {
+    pub(crate) fn read(&self, response: Passage<'_>) -> Read<Set> {
         // A number without a unit has that of the next one.
         let mut unit = None;
         let groups = match Ranges::read(response, self.mark).map_err(unread)? {
@@ -78,7 +78,7 @@ impl Ends<'_> {
             let common = sets.into_iter().reduce(|all, own| all.common(&own));
             let common = common.unwrap_or_default();
             if are_met && common.0.is_empty() {
-                return Err(Why::NoneSatisfies((*typed).to_owned()).into());
+                return Err(Why::NoneSatisfies((*typed).into()).into());
             }
             pieces.extend(common.0);
         }
@@ -99,7 +99,12 @@ impl Ends<'_> {
         }
     }
 
-    fn chain(&self, sides: &[Side<'_>], signs: &[Bounding], unit: &mut Option<Unit>) -> Read<Set> {
+    fn chain(
+        &self,
+        sides: &[Passage<'_>],
+        signs: &[Bounding],
+        unit: &mut Option<Unit>,
+    ) -> Read<Set> {
         // `≥ 0.3` speaks of what is asked.
         let is_left_out = signs.len() == 1 && sides[0].is_empty();
         let variable = is_left_out.then_some((0, BoundedSubject::Variable));
@@ -131,8 +136,8 @@ impl Ends<'_> {
 
     fn interval(
         &self,
-        subject: Option<Side<'_>>,
-        [low, high]: [Side<'_>; 2],
+        subject: Option<Passage<'_>>,
+        [low, high]: [Passage<'_>; 2],
         open: Option<[bool; 2]>,
         unit: &mut Option<Unit>,
     ) -> Read<Set> {
@@ -140,7 +145,7 @@ impl Ends<'_> {
             None => BoundedSubject::Variable,
             Some(name) => self.subject(name).ok_or_else(|| {
                 let symbol = self.setup.symbol.plain();
-                Unreadable::at(name.typed(), Why::BeforeInterval(symbol))
+                Unreadable::at(name, Why::BeforeInterval(symbol))
             })?,
         };
         if open.is_none() && self.setup.is_strict {
@@ -152,25 +157,26 @@ impl Ends<'_> {
         Ok(subject.where_it_is_in(one(SetPiece([low, high]))?))
     }
 
-    fn end(&self, side: Side<'_>, is_open: bool, unit: &mut Option<Unit>) -> Read<End> {
+    fn end(&self, side: Passage<'_>, is_open: bool, unit: &mut Option<Unit>) -> Read<End> {
         let value = self.side(side, unit)?;
         let is_open = is_open || !value.is_finite();
         Ok(End { value, is_open })
     }
 
     /// The unit that comes after a bracket.
-    fn unit_behind(&self, unit: Side<'_>) -> Read<Unit> {
-        let text = unit.typed();
-        let one = format!("1 {text}");
+    fn unit_behind(&self, unit: Passage<'_>) -> Read<Unit> {
+        let one = unit.one_of_unit();
         // A unit of another dimension is reported as that of a bound is.
-        self.number(&one, &mut None)?;
-        let one = self.quantity(&one).filter(|one| !one.unit.is_one());
-        let one = one.ok_or_else(|| Unreadable::at(text, Why::NoUnit).like(Example::Interval))?;
+        self.number(one.passage(), &mut None)?;
+        let one = self
+            .quantity(one.passage())
+            .filter(|one| !one.unit.is_one());
+        let one = one.ok_or_else(|| Unreadable::at(unit, Why::NoUnit).like(Example::Interval))?;
         Ok(one.unit)
     }
 
     /// What is said of an inequality without what is asked.
-    fn without_subject(&self, sides: &[Side<'_>]) -> Unreadable {
+    fn without_subject(&self, sides: &[Passage<'_>]) -> Unreadable {
         let (symbol, variable) = (self.setup.symbol.plain(), &self.setup.variable);
         let formulas = sides.iter().map(|side| self.formula(*side));
         let (mut is_there, mut trouble) = (false, None);
@@ -193,7 +199,7 @@ fn unread(error: RangeError<'_>) -> Refusal {
     let why = match error {
         RangeError::TooLong => return Why::TooLong.into(),
         RangeError::NoCondition(side) => {
-            return Unreadable::at(side.typed(), Why::NoInterval)
+            return Unreadable::at(side, Why::NoInterval)
                 .like(Example::Interval)
                 .into();
         }

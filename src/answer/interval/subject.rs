@@ -4,7 +4,7 @@ use super::read::Ends;
 use super::set::{End, Set, SetPiece};
 use crate::expr::{Expr, Function, Kind, Substitution};
 use crate::numerics::Rational;
-use crate::response::Side;
+use crate::response::Passage;
 
 /// What an inequality bounds.
 pub(crate) enum BoundedSubject {
@@ -37,7 +37,7 @@ impl BoundedSubject {
 
 impl Ends<'_> {
     /// What a side speaks of, if it is the variable or a distance on its axis.
-    pub(crate) fn subject(&self, side: Side<'_>) -> Option<BoundedSubject> {
+    pub(crate) fn subject(&self, side: Passage<'_>) -> Option<BoundedSubject> {
         let expr = self.formula(side).ok()?;
         match expr.kind() {
             Kind::Name(name) if *name == self.setup.variable => Some(BoundedSubject::Variable),

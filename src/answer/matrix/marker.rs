@@ -12,7 +12,7 @@ use crate::answer::{
 };
 use crate::expr::{Expr, Value};
 use crate::math::Math;
-use crate::response::{self, Listed, Manner, Wanted};
+use crate::response::{Listed, Manner, Passage, Wanted};
 use crate::unit::{Decimal, Unit};
 
 /// A prepared key.
@@ -204,8 +204,11 @@ impl Marker for Prepared {
             .iter()
             .all(|text| !text.contains('[') && !text.contains("if "));
         // What the entries are written in may be more than an answer may use.
-        let reads =
-            |text: &String| response::formula(text, &setup.lexicon, Manner::default()).is_ok();
+        let reads = |text: &String| {
+            Passage::of(text)
+                .formula(&setup.lexicon, Manner::default())
+                .is_ok()
+        };
         if self.formulas.is_some()
             && setup.written != Written::Number
             && is_typable
@@ -251,14 +254,14 @@ impl Marker for Prepared {
         }
     }
 
-    fn mark(&self, response: &str) -> Marking {
+    fn mark(&self, response: Passage<'_>) -> Marking {
         let setup = &self.setup;
         let fits = |listed: &Listed| {
             listed.rows.len() == setup.rows
                 && listed.rows.iter().all(|row| row.len() == setup.columns)
         };
         let wanted = Wanted::Matrix(Some(setup.rows).filter(|rows| *rows == setup.columns));
-        let listed = response::list_of_form(response, &setup.lexicon, &setup.units, wanted, fits);
+        let listed = response.list(&setup.lexicon, &setup.units, wanted, fits);
         let listed = match listed {
             Ok(listed) if fits(&listed) => listed,
             Ok(Listed { rows, .. }) => {

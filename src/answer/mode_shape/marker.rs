@@ -15,6 +15,7 @@ use crate::answer::{
 use crate::expr::{Precise, Value};
 use crate::math::Math;
 use crate::numerics::Rational;
+use crate::response::Passage;
 use crate::unit::{Decimal, DecimalMark, Quantity, Unit};
 
 /// A prepared key.
@@ -218,12 +219,12 @@ impl Marker for Prepared {
         }
     }
 
-    fn echo(&self, response: &str) -> Result<Echo, Unreadable> {
+    fn echo(&self, response: Passage<'_>) -> Result<Echo, Unreadable> {
         let readings = self.read(response)?.into_iter().map(|own| own.reading);
         Echo::of(readings).ok_or_else(|| Why::ComponentValue.into())
     }
 
-    fn mark(&self, response: &str) -> Marking {
+    fn mark(&self, response: Passage<'_>) -> Marking {
         let mut readings = match self.read(response) {
             Ok(readings) => readings,
             Err(why) => return Marking::unreadable(why),

@@ -20,7 +20,6 @@
 mod marker;
 mod modes;
 mod read;
-mod relation;
 mod span;
 
 use std::sync::Arc;

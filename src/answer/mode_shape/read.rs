@@ -4,13 +4,12 @@ use std::collections::BTreeMap;
 
 use super::AskedScale;
 use super::marker::Prepared;
-use super::relation::components_of;
 use super::span::vectors;
 use crate::answer::matrix::Written;
 use crate::answer::{Answered, Reading, Unreadable, Why};
 use crate::expr::{Expr, Workspace};
 use crate::math::Math;
-use crate::response::{self, Listed, Wanted};
+use crate::response::{Listed, Passage, Wanted};
 use crate::unit::Unit;
 
 /// How a response was read, and its vectors in SI units.
@@ -21,21 +20,22 @@ pub(crate) struct Shapes {
 
 impl Prepared {
     /// How a response can be read: by rows, and by columns where both are to be had.
-    pub(crate) fn read(&self, response: &str) -> Result<Vec<Shapes>, Unreadable> {
+    pub(crate) fn read(&self, response: Passage<'_>) -> Result<Vec<Shapes>, Unreadable> {
         let setup = &self.setup;
         let (width, count) = (self.width(), self.keys.len());
         // Relations say nothing of the size.
         let related = (count == 1 && setup.scale == AskedScale::Any)
-            .then(|| components_of(response, width))
+            .then(|| response.related_components(width))
             .flatten();
-        let response = &related.unwrap_or_else(|| components(response));
+        let reworded = related.unwrap_or_else(|| response.ratio_as_list());
+        let response = reworded.passage();
         let fits = |listed: &Listed| !arrangements(&listed.rows, width, count).is_empty();
         let wanted = if setup.scale == AskedScale::Any {
             Wanted::Direction
         } else {
             Wanted::Vector
         };
-        let listed = response::list_of_form(response, &setup.lexicon, &setup.units, wanted, fits);
+        let listed = response.list(&setup.lexicon, &setup.units, wanted, fits);
         let listed = listed.map_err(|error| Unreadable::typed(&error, response))?;
         let has_names = !listed.is_numeric();
         let Listed { rows, unit } = listed;
@@ -151,19 +151,4 @@ fn misfit(rows: &[Vec<Expr>], width: usize, count: usize) -> Why {
         shapes: count,
         width,
     }
-}
-
-/// A ratio of components, `1 : -0.5`, as a list; all places stay.
-fn components(response: &str) -> String {
-    let mut text = response.to_owned();
-    let digit = |char: char| char.is_ascii_digit();
-    let mut commas = text.match_indices(',').map(|(at, _)| at);
-    let has_decimals =
-        commas.all(|at| text[..at].ends_with(digit) && text[at + 1..].starts_with(digit));
-    let is_label =
-        |(at, _): (usize, &str)| text[at + 1..].trim_start().starts_with(['(', '[', '{']);
-    if has_decimals && !text.contains(';') && !text.match_indices(':').any(is_label) {
-        text = text.replace(':', ";");
-    }
-    text
 }

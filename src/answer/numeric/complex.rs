@@ -10,7 +10,7 @@ use crate::answer::{
 use crate::expr::{Constant, Expr, Form, Kind};
 use crate::math::Math;
 use crate::numerics::{Complex, Rational, powi};
-use crate::response::{Amount, Folded, Number as Typed, Part, Style, Values};
+use crate::response::{Amount, Folded, Number as Typed, Part, Passage, Style, Values};
 use crate::unit::{Decimal, DecimalMark, Quantity, Unit};
 
 /// With an example of a complex number.
@@ -97,7 +97,7 @@ fn number(values: &Values<'_>, part: &Part, way: Convention) -> Result<WrittenCo
 fn amount(values: &Values<'_>, part: &Part, way: Convention) -> Result<Amount, Unreadable> {
     let mut amount = values
         .amount(part)
-        .map_err(|error| explained(&error, values, values.text(part)).like(Example::Complex))?;
+        .map_err(|error| explained(&error, values, values.passage(part)).like(Example::Complex))?;
     if way == Convention::Other && !amount.others.is_empty() {
         amount = amount.others.swap_remove(0);
     }
@@ -126,7 +126,7 @@ pub(crate) fn complex_number(text: &str) -> Option<(Complex, Option<Unit>)> {
         comma_is_decimal: true,
         is_complex: true,
     };
-    let values = Values::read(folded.text(), style).ok()?;
+    let values = Values::read(folded.passage(), style).ok()?;
     let (value, unit, _) = number(&values, &values.all(), Convention::Conventional).ok()?;
     Some((value, unit))
 }
@@ -146,8 +146,8 @@ fn of_polar(
         return Err(like_complex(Why::Form));
     };
     if turn.unit.is_one() && turn_value.abs() > std::f64::consts::TAU {
-        let typed = values.text(&angle);
-        return Err(Why::AngleWithoutUnit(typed.to_owned()).into());
+        let typed = values.passage(&angle);
+        return Err(Why::AngleWithoutUnit(typed.into()).into());
     }
     let radian = Unit::radian();
     let taken = if turn.unit.is_one() {
@@ -175,31 +175,9 @@ fn of_polar(
 
 /// The side of a statement that is neither the name of its value nor another form of it: `Z^2`, `|Z|`, `Re(Z)`, `5`.
 fn unclear<'s>(values: &Values<'_>, sides: &'s [Part], last: &Part) -> Option<&'s Part> {
-    /// What is not the number but made of it; a bar or a line below marks phasors, too.
-    const MADE: [&str; 10] = [
-        "Re",
-        "Im",
-        "conj",
-        "arg",
-        "abs",
-        "mod",
-        "\\Re",
-        "\\Im",
-        "\\arg",
-        "\\operatorname",
-    ];
     /// Forms of one number may be rounded.
     const SHARE: f64 = 0.01;
-    let is_made = |text: &str| {
-        let rest = |made: &&str| {
-            let rest = text.strip_prefix(*made)?;
-            (!rest.starts_with(|char: char| char.is_alphanumeric() || char == '_')).then_some(())
-        };
-        text.starts_with(['|', '∠'])
-            || text.ends_with('*')
-            || MADE.iter().any(|made| rest(made).is_some())
-    };
-    let is_name = |side: &Part| values.is_name(side) && !is_made(values.text(side).trim());
+    let is_name = |side: &Part| values.is_name(side) && !values.passage(side).is_made_of_complex();
     let value = |side: &Part| number(values, side, Convention::Conventional).ok();
     let is_led = sides.first().is_some_and(is_name);
     sides.iter().enumerate().find_map(|(at, side)| {
@@ -300,7 +278,7 @@ impl Numbers {
             let mut sides = statement.sides;
             let last = sides.pop();
             if let Some(side) = last.as_ref().and_then(|last| unclear(values, &sides, last)) {
-                return Err(Unreadable::at(values.text(side), Why::UnclearSide));
+                return Err(Unreadable::at(values.passage(side), Why::UnclearSide));
             }
             parts.extend(last);
         }
@@ -371,7 +349,7 @@ impl Marker for Numbers {
         }
     }
 
-    fn echo(&self, response: &str) -> Result<Echo, Unreadable> {
+    fn echo(&self, response: Passage<'_>) -> Result<Echo, Unreadable> {
         let values = self.values(response)?;
         let parts = self.parts(&values)?;
         let of = |way| Echo::of_marking(self.judged(&values, &parts, way));
@@ -380,7 +358,7 @@ impl Marker for Numbers {
         Ok(Echo { other, ..first })
     }
 
-    fn mark(&self, response: &str) -> Marking {
+    fn mark(&self, response: Passage<'_>) -> Marking {
         let read = self.values(response);
         let read = read.and_then(|values| self.parts(&values).map(|parts| (values, parts)));
         let (values, parts) = match read {
@@ -401,7 +379,7 @@ impl Marker for Numbers {
 }
 
 impl Numbers {
-    fn values<'r>(&self, response: &'r str) -> Result<Values<'r>, Unreadable> {
+    fn values<'r>(&self, response: Passage<'r>) -> Result<Values<'r>, Unreadable> {
         if self.is_list {
             return parted(response, self.mark, true, self.targets.len());
         }

@@ -6,7 +6,7 @@ use super::target::{Typed, pair};
 use super::words::angles;
 use crate::answer::{Credit, Example, Marking, Remark, Slip, Unreadable, Why};
 use crate::numerics::Rational;
-use crate::response::{Label, Part, Style, Trouble, Values};
+use crate::response::{Label, Part, Passage, Style, Trouble, Values};
 use crate::unit::{DecimalMark, Unit};
 
 /// Numbers as they were typed.
@@ -27,7 +27,7 @@ const MAX_ITEMS: usize = 100;
 ///
 /// What cannot be read, and why.
 pub(crate) fn list(
-    response: &str,
+    response: Passage<'_>,
     count: usize,
     is_ordered: bool,
     mark: DecimalMark,
@@ -51,10 +51,7 @@ pub(crate) fn list(
     let is_framed = inner != all;
     // `[5 8.7]`; without brackets `5 8.7` alone is two numbers where two are asked, and `5 000` may be one.
     let is_list = |pieces: &Vec<Part>| {
-        let is_group = |piece: &Part| {
-            let digits = values.text(piece);
-            digits.len() == 3 && digits.bytes().all(|byte| byte.is_ascii_digit())
-        };
+        let is_group = |piece: &Part| values.passage(piece).is_group_of_digits();
         is_framed || pieces.len() == count && !pieces.iter().skip(1).any(is_group)
     };
     let spaced = values.spaced(&inner).filter(is_list);
@@ -78,16 +75,16 @@ pub(crate) fn list(
         .iter()
         .map(first_of)
         .chain(labels.first().cloned())
-        .any(|name| is_of_frequency(values.text(&name)));
+        .any(|name| values.passage(&name).is_frequency());
     let mut items: Vec<(Option<u32>, TypedNumber)> = Vec::new();
     let (mut named, mut are_about_mean) = (Vec::new(), false);
     for piece in &pieces {
         let first = &values.statement(piece).sides[0];
         let label = values.index(first).filter(|_| values.is_name(first));
         if label.is_some() {
-            let name = Label::of_text(values.text(first));
+            let name = Label::of_passage(values.passage(first));
             if named.contains(&name) {
-                return Err(Unreadable::at(values.text(first).trim(), Why::LabelTwice));
+                return Err(Unreadable::at(values.passage(first), Why::LabelTwice));
             }
             named.push(name);
         }
@@ -127,15 +124,6 @@ pub(crate) fn list(
     })
 }
 
-/// Whether a name is that of a frequency, of which the lower one is the first by custom; roots and places are numbered
-/// as one likes.
-fn is_of_frequency(name: &str) -> bool {
-    const LETTERS: [&str; 6] = ["omega", "ω", "w", "Omega", "Ω", "f"];
-    let name = name.trim_start_matches('\\');
-    let behind = LETTERS.iter().find_map(|letter| name.strip_prefix(letter));
-    behind.is_some_and(|behind| !behind.starts_with(char::is_alphabetic))
-}
-
 /// The pieces of a list without what is empty after its last sign.
 pub(crate) fn without_empty_ends(
     values: &Values<'_>,
@@ -153,7 +141,7 @@ pub(crate) fn without_empty_ends(
 /// The values of a list of which `count` are asked. A comma between digits parts them, unless something else does, or two
 /// are asked and stand at one distance from their mean, `6,83 ± 1,83`.
 pub(crate) fn parted(
-    response: &str,
+    response: Passage<'_>,
     mark: DecimalMark,
     is_complex: bool,
     count: usize,
@@ -189,7 +177,7 @@ fn both_signs(
     let sides = values.statement(piece).sides;
     let signs = sides.last().and_then(|value| values.both_signs(value));
     match signs.filter(|(_, is_first)| *is_first || is_alone) {
-        Some((texts, _)) => texts.iter().map(|text| number(text, mark)).collect(),
+        Some((both, _)) => both.iter().map(|own| number(own.passage(), mark)).collect(),
         None => Ok(vec![statement(values, piece)?]),
     }
 }

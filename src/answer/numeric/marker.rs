@@ -13,7 +13,7 @@ use crate::answer::{
 use crate::expr::{Form, Shape};
 use crate::math::Math;
 use crate::numerics::Dd;
-use crate::response::has_pi;
+use crate::response::{Passage, has_pi};
 use crate::unit::{Decimal, DecimalMark, DimensionMismatch, Quantity, Unit};
 
 /// What a named mistake gives, in SI units.
@@ -379,7 +379,7 @@ impl Marker for Numbers {
         }
     }
 
-    fn echo(&self, response: &str) -> Result<Echo, Unreadable> {
+    fn echo(&self, response: Passage<'_>) -> Result<Echo, Unreadable> {
         let items = if self.is_list {
             list(response, self.targets.len(), self.is_ordered, self.mark)?.items
         } else {
@@ -391,7 +391,7 @@ impl Marker for Numbers {
         Echo::of(readings).ok_or_else(|| Why::Form.into())
     }
 
-    fn mark(&self, response: &str) -> Marking {
+    fn mark(&self, response: Passage<'_>) -> Marking {
         if self.is_list {
             return match list(response, self.targets.len(), self.is_ordered, self.mark) {
                 Ok(List {

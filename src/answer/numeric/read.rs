@@ -4,7 +4,7 @@ use crate::answer::{Example, Unreadable, Why};
 use crate::expr::{Constant, Expr, Kind, Operator, PlainNotation};
 use crate::math::Math;
 use crate::response::{
-    Amount, Number as Typed, Part, Style, Trouble, TypedError, ValueTrouble, Values,
+    Amount, Number as Typed, Part, Passage, Style, Trouble, TypedError, ValueTrouble, Values,
 };
 use crate::unit::{Decimal, DecimalMark, Quantity, Unit};
 
@@ -123,7 +123,7 @@ fn has_pi_as_factor(formula: &Expr) -> bool {
 /// # Errors
 ///
 /// What cannot be read, and why.
-pub(crate) fn number(response: &str, mark: DecimalMark) -> Result<TypedNumber, Unreadable> {
+pub(crate) fn number(response: Passage<'_>, mark: DecimalMark) -> Result<TypedNumber, Unreadable> {
     let style = Style {
         mark,
         comma_is_decimal: true,
@@ -135,7 +135,7 @@ pub(crate) fn number(response: &str, mark: DecimalMark) -> Result<TypedNumber, U
     let mut restated = values.statements(&all);
     if restated.len() > 1 {
         return said_once(&values, &restated).ok_or_else(|| {
-            Unreadable::at(short(response), Why::Inequality).like(Example::OneValue)
+            Unreadable::at(response.short(), Why::Inequality).like(Example::OneValue)
         });
     }
     if let Some((value, inner)) = values.back_bracket(&all) {
@@ -212,12 +212,15 @@ pub(crate) fn statement(values: &Values<'_>, part: &Part) -> Result<TypedNumber,
         match step.as_ref().and_then(TypedNumber::of) {
             Some(other) if are_equal(&number, &other) => {}
             Some(_) => {
-                let (one, other) = (values.text(side), values.text(&sides[value]));
-                return Err(Why::UnequalSides(short(one), short(other)).into());
+                let (one, other) = (values.passage(side), values.passage(&sides[value]));
+                return Err(Why::UnequalSides(one.short(), other.short()).into());
             }
             None if is_between && !values.goes_on_in_words(side) => {}
             None => {
-                return Err(Unreadable::at(short(values.text(side)), Why::UnclearSide));
+                return Err(Unreadable::at(
+                    values.passage(side).short(),
+                    Why::UnclearSide,
+                ));
             }
         }
     }
@@ -226,20 +229,20 @@ pub(crate) fn statement(values: &Values<'_>, part: &Part) -> Result<TypedNumber,
 
 /// The number that a part is.
 pub(crate) fn amount(values: &Values<'_>, part: &Part) -> Result<TypedNumber, Unreadable> {
-    let typed = values.text(part);
+    let typed = values.passage(part);
     let amount = values
         .amount(part)
         .map_err(|error| explained(&error, values, typed))?;
-    TypedNumber::of(&amount).ok_or_else(|| Why::NoValue(short(typed)).into())
+    TypedNumber::of(&amount).ok_or_else(|| Why::NoValue(typed.short()).into())
 }
 
 /// Why a number cannot be read.
-pub(crate) fn explained(error: &TypedError, values: &Values<'_>, typed: &str) -> Unreadable {
-    if let Some(word) = counted(typed) {
-        return Why::Counted(word.to_owned()).into();
+pub(crate) fn explained(error: &TypedError, values: &Values<'_>, typed: Passage<'_>) -> Unreadable {
+    if let Some(word) = typed.counted() {
+        return Why::Counted(word.into()).into();
     }
-    let place = short(values.typed(error));
-    let whole = || typed.trim().to_owned();
+    let place = values.typed(error).short();
+    let whole = || String::from(typed);
     match &error.trouble {
         Trouble::Unknown { .. } | Trouble::NotAllowed(_) if !place.is_empty() => {
             Unreadable::at(place, Why::Letters).like(Example::UnitLast)
@@ -254,7 +257,7 @@ pub(crate) fn explained(error: &TypedError, values: &Values<'_>, typed: &str) ->
                     unreadable.like(Example::Number)
                 }
             }
-            ValueTrouble::TwoSigns => Why::TwoSigns(short(typed)).into(),
+            ValueTrouble::TwoSigns => Why::TwoSigns(typed.short()).into(),
             ValueTrouble::NoExponent => Why::ExponentMissing(whole()).into(),
             ValueTrouble::Range => Why::RangeOrDifference(whole()).into(),
             ValueTrouble::UnitLast | ValueTrouble::UnitOfOne => {
@@ -274,7 +277,7 @@ pub(crate) fn explained(error: &TypedError, values: &Values<'_>, typed: &str) ->
 ///
 /// As for [`number`].
 pub(crate) fn readings(
-    response: &str,
+    response: Passage<'_>,
     mark: DecimalMark,
 ) -> Result<(Quantity, Vec<Quantity>), Unreadable> {
     let number = number(response, mark)?;
@@ -287,38 +290,12 @@ pub(crate) fn readings(
 /// # Errors
 ///
 /// As for [`number`].
-pub(crate) fn quantity(response: &str, mark: DecimalMark) -> Result<Quantity, Unreadable> {
+pub(crate) fn quantity(response: Passage<'_>, mark: DecimalMark) -> Result<Quantity, Unreadable> {
     let number = number(response, mark)?;
     match number.question(mark) {
         Some(question) => Err(question),
         None => Ok(number.quantity),
     }
-}
-
-/// The word for what is counted, after a number: `2 periods`.
-fn counted(value: &str) -> Option<&str> {
-    const WORDS: [&str; 16] = [
-        "period",
-        "periods",
-        "oscillation",
-        "oscillations",
-        "vibrations",
-        "swings",
-        "times",
-        "dof",
-        "dofs",
-        "degree of freedom",
-        "degrees of freedom",
-        "half-cycles",
-        "half cycles",
-        "modes",
-        "coordinates",
-        "positions",
-    ];
-    let word = value.trim_start_matches(|char: char| !char.is_alphabetic());
-    WORDS
-        .contains(&word.to_ascii_lowercase().as_str())
-        .then_some(word)
 }
 
 /// Whether two numbers differ by no more than their rounding.
@@ -340,16 +317,4 @@ fn are_equal(one: &TypedNumber, other: &TypedNumber) -> bool {
             let places = a.unit.to_si(place).max(conversion.apply(other_place));
             are_near(a.si(), conversion.apply_decimal(&b.value), places)
         })
-}
-
-/// As much of a text as a message can quote.
-pub(crate) fn short(text: &str) -> String {
-    // With its quotation a message still fits on a line or two.
-    const MAX_COUNT: usize = 40;
-    let start: String = text.trim().chars().take(MAX_COUNT).collect();
-    if start.len() < text.trim().len() {
-        format!("{start}…")
-    } else {
-        start
-    }
 }

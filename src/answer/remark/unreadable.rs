@@ -2,7 +2,7 @@
 
 use crate::expr::CheckError;
 use crate::quantity::Absent;
-use crate::response::{At, Folded, LoneDollar, Trouble, TypedError};
+use crate::response::{At, Folded, LoneDollar, Passage, Trouble, TypedError};
 use crate::unit::{Quantity, Unit};
 
 /// Why a response could not be read.
@@ -301,9 +301,9 @@ impl Unreadable {
     }
 
     /// Of a text that could not be read.
-    pub fn typed(error: &TypedError, text: &str) -> Self {
+    pub fn typed(error: &TypedError, passage: Passage<'_>) -> Self {
         Self {
-            at: Some(error.at(text)),
+            at: Some(error.at(passage)),
             why: Box::new(Why::Formula(error.trouble.clone())),
             example: None,
         }

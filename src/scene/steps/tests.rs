@@ -8,7 +8,7 @@ use crate::bank::{Catalogue, Template, embedded};
 use crate::expr::{Normal, Substitution};
 use crate::instance::Instance;
 use crate::mechanics::Reason;
-use crate::response::{Folded, Lexicon, Manner, formula};
+use crate::response::{Folded, Lexicon, Manner, Passage};
 use crate::scene::Data;
 use crate::seed::Seed;
 use crate::solution::Solution;
@@ -78,7 +78,7 @@ impl<'s, 'a, 't> Reader<'s, 'a, 't> {
         };
         let printed = own.typeset(&Symbols(self.scene.solution())).latex();
         let folded = Folded::of(&printed);
-        let folded = folded.as_ref().map_or("", Folded::text);
+        let folded = folded.as_ref().map_or(Passage::default(), Folded::passage);
         // Only a formula with a datum in it, 9.81 m/s², is read with units: that has a shorter limit.
         let read = |values| {
             let manner = Manner {
@@ -86,7 +86,7 @@ impl<'s, 'a, 't> Reader<'s, 'a, 't> {
                 has_imaginary_unit: false,
                 values,
             };
-            formula(folded.trim(), &self.lexicon, manner)
+            folded.formula(&self.lexicon, manner)
         };
         let read = read(None).or_else(|_| read(Some(crate::unit::DecimalMark::Point)));
         let read = read.unwrap_or_else(|error| panic!("`{printed}`: {:?}", error.trouble));
@@ -277,7 +277,7 @@ fn mark(
     let of_source = Solution::of(Instance::of_source(template));
     let asks = |(place, _): &(usize, &crate::bank::Part)| {
         let marker = of_source.marker(*place).ok();
-        let equations = marker.and_then(|marker| marker.equations(""));
+        let equations = marker.and_then(|marker| marker.equations(Passage::default()));
         equations.is_some_and(|own| own.key == asked)
     };
     let mut parts = template.parts.iter().enumerate();
@@ -299,7 +299,7 @@ fn mark(
             .map(|side| Scene::side(side, &Symbols(&solution)).latex());
         let typed = sides.collect::<Vec<_>>().join(" = ");
         let folded = Folded::of(&typed);
-        let folded = folded.as_ref().map_or("", Folded::text);
+        let folded = folded.as_ref().map_or(Passage::default(), Folded::passage);
         let marking = solution.marker(place).expect("a key").mark(folded.trim());
         assert_eq!(
             marking.verdict,

@@ -2,6 +2,7 @@
 
 use super::check;
 use crate::BANK;
+use vibank::response::Passage;
 
 const ITEM: &str = r#"
 [parameters]
@@ -196,7 +197,7 @@ fn data_alone_may_be_asked_for() {
             catalogue.items().next().expect("the item"),
         ));
         let marker = solution.marker(2).expect("the key exists");
-        let verdict_of = |response: &str| marker.mark(response).verdict.name();
+        let verdict_of = |response: &str| marker.mark(Passage::of(response)).verdict.name();
         assert_eq!(verdict_of("C cos(ωt - φ)"), verdict, "{listed}");
         assert_eq!(verdict_of("A cos(ωt) + B sin(ωt)"), "right", "{listed}");
         assert_eq!(
@@ -354,7 +355,7 @@ fn the_functions_of_the_bank_are_asked_with_data() {
         let marker = solution
             .marker(place.expect("the part"))
             .expect("the key exists");
-        let marking = marker.mark(response);
+        let marking = marker.mark(Passage::of(response));
         assert_eq!(
             marking.verdict.name(),
             verdict,

@@ -2,6 +2,7 @@
 
 use super::check;
 use vibank::instance::Instance;
+use vibank::response::Passage;
 use vibank::solution::Solution;
 
 const ITEM: &str = r#"
@@ -102,7 +103,7 @@ fn what_is_typed_is_shown_with_its_unit() {
     let solution = Solution::of(Instance::of_source(catalogue.items().next().unwrap()));
     let marker = solution.marker(0).expect("the key exists");
     let reading = marker
-        .mark("[[0.048, -0.016], [-0.016, 0.016]] kN/m")
+        .mark(Passage::of("[[0.048, -0.016], [-0.016, 0.016]] kN/m"))
         .reading;
     let reading = reading.expect("it can be read");
     assert!(reading.math.plain().ends_with("kN/m"), "{}", reading.text);

@@ -2,6 +2,7 @@
 
 use super::check;
 use vibank::instance::Instance;
+use vibank::response::Passage;
 use vibank::solution::Solution;
 
 const DATA: &str = r#"
@@ -193,7 +194,7 @@ fn what_an_earlier_part_lists_may_be_used() {
         ("(1, (2k - m omega1^2)/k)", "right"),
         ("(1, (2k - m omega2^2)/k)", "wrong"),
     ] {
-        let marking = marker.mark(response);
+        let marking = marker.mark(Passage::of(response));
         assert_eq!(marking.verdict.name(), expected, "{response}: {marking:?}");
     }
 }

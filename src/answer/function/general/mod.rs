@@ -22,7 +22,7 @@ use crate::answer::{
 use crate::expr::{Equation, Expr, Kind as Node, Name, Precise, Program, Workspace};
 use crate::math::Math;
 use crate::quantity::{Absent, NodeId};
-use crate::response::Lexicon;
+use crate::response::{Lexicon, Passage};
 use crate::source::{Table, Text};
 
 /// Letters that people give to constants, alone or with a number: all but those of time, of e and of i.
@@ -455,7 +455,7 @@ impl Marker for Prepared {
         Key::formula(texts.join("; "), math)
     }
 
-    fn mark(&self, response: &str) -> Marking {
+    fn mark(&self, response: Passage<'_>) -> Marking {
         let setup = &self.setup;
         let typed = match setup.read(response) {
             Ok(typed) => typed,

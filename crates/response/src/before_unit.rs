@@ -1,12 +1,35 @@
 //! Units after formulas.
 
+use super::Passage;
 use vibank_formula::unit::Unit;
 
 /// Most places that are tried for the beginning of the unit.
 const MAX_PLACES: usize = 16;
 
+/// A passage that may be a formula with a unit after it.
+#[derive(Clone, Copy, Debug)]
+pub struct BeforeUnit<'t> {
+    /// What stands before the unit.
+    pub formula: Passage<'t>,
+    /// The unit.
+    pub unit: Unit,
+    /// The unit as it was typed.
+    pub typed: Passage<'t>,
+    /// Whether a space stands between them.
+    pub is_spaced: bool,
+}
+
 /// The ways to cut a text into a formula and a unit after it, the shortest unit first.
-pub fn with_unit(text: &str) -> impl Iterator<Item = (&str, Unit)> {
+pub(crate) fn before_units(text: &str) -> impl Iterator<Item = BeforeUnit<'_>> {
+    with_unit(text).map(|(formula, unit)| BeforeUnit {
+        formula: Passage::of(formula),
+        unit,
+        typed: Passage::of(&text[formula.len()..]),
+        is_spaced: formula.ends_with(char::is_whitespace),
+    })
+}
+
+pub(crate) fn with_unit(text: &str) -> impl Iterator<Item = (&str, Unit)> {
     places(text).into_iter().rev().filter_map(|place| {
         let (formula, unit) = text.split_at(place);
         Some((formula, gathered(Unit::read(unit.trim()).ok()?)))

@@ -1,4 +1,4 @@
-//! Shapes that are typed as a relation of their components: `x2/x1 = -0.5`, `A1 = 2 A2`, `x1 : x2 = 1 : 2`.
+//! Shapes that are typed as a relation of their components: `x2/x1 = -0.5`, `A1 = 2 A2`, `x1 : x2 = 1 : 2`, `1 : -0.5`.
 
 use std::ops::Range;
 
@@ -162,6 +162,20 @@ fn index_of(text: &str) -> Option<(usize, usize)> {
                 .starts_with(close)
                 .then_some((digit as usize, open.len() + 1 + close.len()))
         })
+}
+
+/// A ratio of components, `1 : -0.5`, as a list; all places stay.
+pub(crate) fn ratio_as_list(typed: &str) -> String {
+    let digit = |char: char| char.is_ascii_digit();
+    let mut commas = typed.match_indices(',').map(|(at, _)| at);
+    let has_decimals =
+        commas.all(|at| typed[..at].ends_with(digit) && typed[at + 1..].starts_with(digit));
+    let is_label =
+        |(at, _): (usize, &str)| typed[at + 1..].trim_start().starts_with(['(', '[', '{']);
+    if has_decimals && !typed.contains(';') && !typed.match_indices(':').any(is_label) {
+        return typed.replace(':', ";");
+    }
+    typed.to_owned()
 }
 
 #[cfg(test)]
