@@ -188,6 +188,14 @@ pub(crate) fn converted(number: Expr, from: &Unit, to: &Unit) -> Result<Expr, Tr
         return Ok(number * straight() / Expr::constant(Constant::Pi));
     }
     let factor = to.of_si(conversion.apply(1.0));
+    // An hour has 3600 s: a second is the quotient, and no decimal.
+    let parts = (1.0 / factor).round();
+    let is_whole = parts > 1.0 && (parts * factor - 1.0).abs() <= f64::EPSILON;
+    if let Some(parts) = Decimal::shortest(parts).filter(|_| is_whole)
+        && let Some(parts) = Rational::from_decimal(&parts.to_string())
+    {
+        return Ok(number / Expr::number(parts));
+    }
     let factor =
         Decimal::shortest(factor).and_then(|factor| Rational::from_decimal(&factor.to_string()));
     Ok(number * Expr::number(factor.ok_or(Trouble::Value(ValueTrouble::Units))?))

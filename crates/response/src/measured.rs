@@ -53,7 +53,7 @@ pub(crate) fn measured(
         return Err(missing);
     }
     let read = |tokens: &[Token]| {
-        let formula = readings(|ways| Parser::of_values(tokens, text.len(), ways).whole_formula())?;
+        let formula = readings(|ways| Parser::of_terms(tokens, text.len(), ways).whole_formula())?;
         let of = |formula: &Expr| terms(formula).map(|(formula, unit)| Measured { formula, unit });
         let value = of(&formula.value).map_err(|trouble| TypedError {
             trouble,
@@ -212,16 +212,18 @@ fn operation(
 /// An argument of a function or an exponent as a pure number: without the units of angles, and of rates beside a time
 /// that is in seconds. Degrees stay, since a formula can have them.
 fn argument(formula: &Expr) -> Result<Expr, Trouble> {
+    if let Some(degrees) = degrees(formula) {
+        return Ok(degrees);
+    }
     let span = formula.span();
     match formula.kind() {
-        Kind::Measure(_, unit) if **unit == Unit::degree() => return Ok(formula.clone()),
         Kind::Negate(inner) => return Ok(Expr::new(Kind::Negate(argument(inner)?), span)),
         Kind::Binary(operator @ (Operator::Add | Operator::Subtract), left, right) => {
             let (left, right) = (argument(left)?, argument(right)?);
             return Ok(Expr::new(Kind::Binary(*operator, left, right), span));
         }
         // `2 (5 rad/s t - 30°)`
-        Kind::Binary(Operator::Multiply, left, right) if is_bare(left) => {
+        Kind::Binary(Operator::Multiply, left, right) if is_bare(left) && is_sum(right) => {
             let right = argument(right)?;
             return Ok(Expr::new(
                 Kind::Binary(Operator::Multiply, left.clone(), right),
@@ -229,7 +231,7 @@ fn argument(formula: &Expr) -> Result<Expr, Trouble> {
             ));
         }
         Kind::Binary(operator @ (Operator::Multiply | Operator::Divide), left, right)
-            if is_bare(right) =>
+            if is_sum(left) && is_bare(right) =>
         {
             let left = argument(left)?;
             return Ok(Expr::new(
@@ -255,6 +257,28 @@ fn argument(formula: &Expr) -> Result<Expr, Trouble> {
         return converted(bare, &unit, &radians);
     }
     Err(Trouble::Value(ValueTrouble::Units))
+}
+
+/// A number of degrees.
+fn degrees(formula: &Expr) -> Option<Expr> {
+    let (number, unit) = match formula.kind() {
+        Kind::Binary(Operator::Multiply, number, unit) => (number.as_number()?, unit),
+        _ => (Rational::ONE, formula),
+    };
+    match unit.kind() {
+        Kind::Measure(own, unit) if **unit == Unit::degree() => {
+            let number = number.checked_mul(*own)?;
+            Some(Expr::new(Kind::Measure(number, unit.clone()), formula.span()))
+        }
+        _ => None,
+    }
+}
+
+fn is_sum(formula: &Expr) -> bool {
+    matches!(
+        formula.kind(),
+        Kind::Binary(Operator::Add | Operator::Subtract, ..)
+    )
 }
 
 /// Whether no unit stands in a formula.
@@ -287,6 +311,8 @@ mod tests {
             ("1.5e-5 m cos(2 t)", "0.000015*cos(2*t)", "m"),
             ("(0.5 m)exp(-t)", "0.5*exp(-t)", "m"),
             ("0.5*m*exp(-t)", "0.5*exp(-t)", "m"),
+            ("0.5 m (cos(2 t) + 3 sin(2 t))", "0.5*(cos(2*t) + 3*sin(2*t))", "m"),
+            ("2 (0.1 cos(2 t) + 3 sin(2 t)) cm", "2*(0.1*cos(2*t) + 3*sin(2*t))", "cm"),
             (
                 "0.5 cos(2 t) m - 2 sin(t) m",
                 "0.5*cos(2*t) - 2*sin(t)",
@@ -331,6 +357,8 @@ mod tests {
             ("e^(-t/s)", "e^(-t)"),
             ("cos(4 t - 0.9 rad)", "cos(4*t - 0.9)"),
             ("cos(2 pi 3 Hz t)", "cos(2*pi*3*t)"),
+            ("cos(2 (5 rad/s t - 30°))", "cos(2*(5*t - 30[deg]))"),
+            ("sin(300 rad/min t)", "sin(300*t/60)"),
         ] {
             let found = read(typed).unwrap_or_else(|error| panic!("{typed}: {error:?}"));
             assert_eq!(

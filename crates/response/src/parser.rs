@@ -17,8 +17,17 @@ pub(crate) struct Parser<'a> {
     depth: u32,
     /// Open bars of absolute values within the innermost bracket.
     pub(crate) bars: u32,
-    /// Whether it reads numbers with units.
-    has_units: bool,
+    units: Units,
+}
+
+/// What units may stand after.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Units {
+    Nothing,
+    /// Numbers, each of which may be a value of its own.
+    Values,
+    /// The numbers of one formula.
+    Terms,
 }
 
 pub(crate) type Result<T> = std::result::Result<T, TypedError>;
@@ -35,16 +44,28 @@ impl<'a> Parser<'a> {
             ways,
             depth: 0,
             bars: 0,
-            has_units: false,
+            units: Units::Nothing,
         }
     }
 
     /// A parser of numbers with units.
     pub(crate) fn of_values(tokens: &'a [Token], end: usize, ways: &'a mut Ways) -> Self {
         Self {
-            has_units: true,
+            units: Units::Values,
             ..Self::new(tokens, end, ways)
         }
+    }
+
+    /// A parser of a formula with units in it.
+    pub(crate) fn of_terms(tokens: &'a [Token], end: usize, ways: &'a mut Ways) -> Self {
+        Self {
+            units: Units::Terms,
+            ..Self::new(tokens, end, ways)
+        }
+    }
+
+    fn has_units(&self) -> bool {
+        self.units != Units::Nothing
     }
 
     pub(crate) fn whole_formula(&mut self) -> Result<Expr> {
@@ -147,7 +168,7 @@ impl<'a> Parser<'a> {
                     left = Self::binary(Operator::Divide, left, divisor)?;
                 }
                 // `√(50:2)`; outside of brackets a colon comes after a name, or in a time of day.
-                Some(Item::Sign(':')) if self.has_units && self.depth > 0 => {
+                Some(Item::Sign(':')) if self.has_units() && self.depth > 0 => {
                     self.at += 1;
                     let right = self.signed()?;
                     left = Self::binary(Operator::Divide, left, right)?;
@@ -180,7 +201,7 @@ impl<'a> Parser<'a> {
         let is_unit = |token: Option<&Token>| matches!(token, Some(token) if matches!(token.item, Item::Unit(_)));
         let is_bare =
             matches!(self.item(), Some(Item::Number(_))) && !is_unit(self.tokens.get(self.at + 1));
-        if self.has_units && is_bare && is_unit(self.before(2)) {
+        if self.units == Units::Values && is_bare && is_unit(self.before(2)) {
             return self.error(Trouble::Value(ValueTrouble::UnitLast));
         }
         Ok(())
@@ -190,7 +211,7 @@ impl<'a> Parser<'a> {
     /// alone after another, arithmetic after a space.
     fn bracket_behind_value(&self) -> Result<()> {
         let (Some(Item::Sign('(' | '[' | '{')), Some(before), true) =
-            (self.item(), self.before(1), self.has_units)
+            (self.item(), self.before(1), self.units == Units::Values)
         else {
             return Ok(());
         };
@@ -214,7 +235,7 @@ impl<'a> Parser<'a> {
     /// Whether a number may stand here without a sign, as in `j100` and `2 π 0.8`.
     fn is_after_constant(&self) -> bool {
         self.is_after_imaginary_unit()
-            || self.has_units && self.is_after_leaf(Constant::Pi) && !self.is_tight()
+            || self.has_units() && self.is_after_leaf(Constant::Pi) && !self.is_tight()
     }
 
     fn is_after_imaginary_unit(&self) -> bool {
@@ -255,7 +276,7 @@ impl<'a> Parser<'a> {
         );
         let mut divisor = self.signed()?;
         let mut has_spaced = false;
-        let is_bare = self.has_units && !has_unit(numerator);
+        let is_bare = self.has_units() && !has_unit(numerator);
         while !is_closed && self.begins_factor() {
             if let Some(Item::Unit(_)) = self.item() {
                 // In `1/2 m` and `100/i ohm` the unit is that of the fraction, in `5 m/2 s` each number has its own.
