@@ -271,7 +271,7 @@ impl Whole {
     /// The marking of a reading.
     fn judged(&self, quantity: &Quantity) -> Marking {
         let number = quantity.value.to_f64();
-        if quantity.unit.text() == "rev" {
+        if quantity.unit.has_factor("rev") {
             return Marking::unreadable(Why::CountedUnit);
         }
         let reading = self.reading(quantity);

@@ -293,7 +293,7 @@ fn customary(
             others.copied().collect()
         }
         // An electrical impedance is neither an admittance nor one of its own two parts.
-        _ if unit.is_some_and(|unit| unit.text().ends_with('Ω'))
+        _ if unit.is_some_and(|unit| unit.has_factor("ohm"))
             && asked.iter().any(|own| parted(own.name.as_str()).0 == "Z") =>
         {
             vec!["Y", "R", "X"]

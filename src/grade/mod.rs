@@ -24,6 +24,7 @@ pub use responses::{Given, Place, Responses, Row, RowError};
 use crate::answer::{AnswerKind, Credit, Echo, Marker, Marking, Unreadable, Why};
 use crate::response::{Folded, withdrawn};
 use crate::solution::Solution;
+use crate::unit::DecimalMark;
 
 use self::bound::bounded;
 use self::typed::TypedResponse;
@@ -48,7 +49,7 @@ pub const MAX_RESPONSE_LENGTH: usize = 4000;
 /// # }
 /// ```
 pub fn mark(solution: &Solution<'_>, place: usize, response: &str) -> Marking {
-    mark_typed(solution, place, &TypedResponse::new(response))
+    in_decimals_of(solution, mark_typed(solution, place, &TypedResponse::new(response)))
 }
 
 /// The same for a response that may have been folded before.
@@ -71,10 +72,25 @@ fn mark_typed(solution: &Solution<'_>, place: usize, response: &TypedResponse<'_
 /// Why it cannot be read.
 pub fn echo(solution: &Solution<'_>, place: usize, response: &str) -> Result<Echo, Unreadable> {
     let (marker, folded) = folded(solution, place, &TypedResponse::new(response))?;
-    marker.echo(folded.passage()).map_err(|mut why| {
+    let mut echo = marker.echo(folded.passage()).map_err(|mut why| {
         why.point_at_typed(&folded);
         why
-    })
+    })?;
+    if solution.mark() == DecimalMark::Comma {
+        let readings = std::iter::once(&mut echo.reading.math).chain(&mut echo.other);
+        readings.for_each(|math| math.set_decimal_sign(","));
+    }
+    Ok(echo)
+}
+
+/// With the decimals of its reading as the sheet prints them.
+fn in_decimals_of(solution: &Solution<'_>, mut marking: Marking) -> Marking {
+    if solution.mark() == DecimalMark::Comma
+        && let Some(reading) = &mut marking.reading
+    {
+        reading.math.set_decimal_sign(",");
+    }
+    marking
 }
 
 /// What marks a response, and the response in one spelling.
@@ -187,7 +203,7 @@ impl Grade {
             let followed = follow::follow(solution, place, response, &first, earlier);
             let marking = followed.unwrap_or(first);
             others.push(form::standing(solution, place, response, &marking));
-            grade.parts.push((place, marking));
+            grade.parts.push((place, in_decimals_of(solution, marking)));
         }
         grade
     }

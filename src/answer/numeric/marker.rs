@@ -14,7 +14,7 @@ use crate::expr::{Form, Shape};
 use crate::math::Math;
 use crate::numerics::Dd;
 use crate::response::{Passage, has_pi};
-use crate::unit::{Decimal, DecimalMark, DimensionMismatch, Quantity, Unit};
+use crate::unit::{Decimal, DecimalMark, Dimension, DimensionMismatch, Quantity, Unit};
 
 /// What a named mistake gives, in SI units.
 #[derive(Clone, Debug)]
@@ -297,11 +297,12 @@ impl Numbers {
             number.others.retain(fits);
         }
         let has_pi = number.arithmetic.as_ref().is_some_and(has_pi);
-        if has_pi && number.quantity.unit.is_one() && self.unit.text() == "°" {
+        if has_pi && number.quantity.unit.is_one() && self.unit == Unit::degree() {
             number.quantity.unit = Unit::radian();
         }
         // Of `2π · 2 Hz` people mean the angular frequency of two cycles a second.
-        if self.unit.text() == "rad/s" {
+        let is_angular = self.unit.has_factor("rad") && self.unit.to_si(1.0) == 1.0;
+        if is_angular && self.unit.dimension() == Dimension::TIME.inverse() {
             number.others.extend(number.in_radians());
         }
         number

@@ -6,7 +6,7 @@ use crate::math::Math;
 use crate::response::{
     Amount, Number as Typed, Part, Passage, Style, Trouble, TypedError, ValueTrouble, Values,
 };
-use crate::unit::{Decimal, DecimalMark, Quantity, Unit};
+use crate::unit::{Decimal, DecimalMark, Dimension, Quantity, Unit};
 
 /// A number with its unit as it was typed.
 #[derive(Clone, Debug)]
@@ -82,9 +82,11 @@ impl TypedNumber {
         self.arithmetic
             .as_ref()
             .filter(|value| has_pi_as_factor(value))?;
-        let text = self.quantity.unit.text();
-        let prefix = text.strip_suffix("Hz")?;
-        let unit = Unit::parse(&format!("{prefix}rad/s")).ok()?;
+        let hertz = self.quantity.unit;
+        let is_hertz = hertz.has_factor("Hz") && hertz.dimension() == Dimension::TIME.inverse();
+        let radians = ["rad/s", "krad/s", "mrad/s", "Mrad/s"].into_iter();
+        let mut radians = radians.filter_map(|unit| Unit::parse(unit).ok());
+        let unit = radians.find(|unit| is_hertz && unit.to_si(1.0) == hertz.to_si(1.0))?;
         Some(Self {
             quantity: Quantity::new(self.quantity.value, unit),
             arithmetic: self.arithmetic.clone(),
@@ -157,7 +159,7 @@ fn said_once(values: &Values<'_>, statements: &[Part]) -> Option<TypedNumber> {
     let numbers: Vec<TypedNumber> = statements.iter().map(read).collect::<Option<_>>()?;
     let (first, others) = numbers.split_first()?;
     let is_restated = |other: &TypedNumber| {
-        first.quantity.unit.text() != other.quantity.unit.text()
+        first.quantity.unit != other.quantity.unit
             && is_same_but_for_rounding(first, other)
     };
     others.iter().all(is_restated).then(|| first.clone())

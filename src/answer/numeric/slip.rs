@@ -41,8 +41,7 @@ impl Numbers {
                 Some(_) => Negated::Angle,
             }));
         }
-        let asked = self.unit.text();
-        let is_angle = asked.contains("rad") || asked.contains('°');
+        let is_angle = ["rad", "deg"].iter().any(|angle| self.unit.has_factor(angle));
         if is_angle && (fits_within_turn(DEGREE) || fits_within_turn(1.0 / DEGREE)) {
             let shown = if unit.is_one() { self.unit } else { *unit };
             return Some(Slip::AngleUnit(shown));
@@ -65,7 +64,7 @@ impl Numbers {
 
     /// Where a factor 2π slipped.
     fn two_pi(&self, typed: &Unit) -> TwoPi {
-        let is_angular = |unit: &Unit| unit.text().contains("rad");
+        let is_angular = |unit: &Unit| unit.has_factor("rad");
         let is_frequency = |unit: &Unit| is_angular(unit) || unit.counts_cycles();
         if is_frequency(&self.unit) || !is_frequency(typed) {
             return TwoPi::Number;
@@ -79,7 +78,6 @@ impl Numbers {
 
 /// Whether a joule was typed for a moment.
 pub(crate) fn mixes_energy_and_moment(typed: &Unit, asked: &Unit) -> bool {
-    let is_joule = |unit: &Unit| unit.text().ends_with('J');
-    let is_moment = |unit: &Unit| unit.text().contains('N') && !unit.text().contains('J');
-    typed.dimension() == asked.dimension() && is_joule(typed) && is_moment(asked)
+    let is_moment = asked.has_factor("N") && !asked.has_factor("J");
+    typed.dimension() == asked.dimension() && typed.has_factor("J") && is_moment
 }

@@ -39,6 +39,6 @@ pub(crate) fn angles(typed: &Unit, asked: &Unit) -> Option<Why> {
 
 /// What is wrong with cycles or turns where a pure number is asked: whether they count or measure angles is open.
 pub(crate) fn counts(typed: &Unit, asked: &Unit) -> Option<Why> {
-    let is_turn = asked.is_one() && typed.text() == "rev";
+    let is_turn = asked.is_one() && typed.has_factor("rev");
     is_turn.then_some(Why::NumberAlone)
 }

@@ -194,6 +194,20 @@ impl Unit {
         self.scale
     }
 
+    /// Whether the unit of this symbol, with any prefix, is one of its factors.
+    ///
+    /// ```
+    /// use vibank_formula::unit::Unit;
+    ///
+    /// let rate = Unit::parse("mrad/s")?;
+    /// assert!(rate.has_factor("rad") && rate.has_factor("s") && !rate.has_factor("Hz"));
+    /// # Ok::<(), vibank_formula::unit::Error>(())
+    /// ```
+    pub fn has_factor(&self, symbol: &str) -> bool {
+        let mut factors = self.factors().iter();
+        factors.any(|factor| factor.row().symbols.contains(&symbol))
+    }
+
     /// What it measures.
     pub const fn dimension(&self) -> Dimension {
         self.dimension
