@@ -49,7 +49,10 @@ pub const MAX_RESPONSE_LENGTH: usize = 4000;
 /// # }
 /// ```
 pub fn mark(solution: &Solution<'_>, place: usize, response: &str) -> Marking {
-    in_decimals_of(solution, mark_typed(solution, place, &TypedResponse::new(response)))
+    in_decimals_of(
+        solution,
+        mark_typed(solution, place, &TypedResponse::new(response)),
+    )
 }
 
 /// The same for a response that may have been folded before.

@@ -20,6 +20,7 @@ use self::plain::{has_barred_numbers, has_cells, is_plain};
 pub(crate) use self::programs::arguments_of_call;
 use self::spaces::OneWidth;
 use self::words::is_shouted;
+use super::error::At;
 use super::passage::Passage;
 use super::signs::{MIDDLE_POINT, Plain, RUNS, begins_run, is_minus, of_char};
 use super::surroundings::answer_in;
@@ -167,8 +168,23 @@ impl<'t> Folded<'t> {
         Passage::of(self.text())
     }
 
+    /// A place in it as it was typed; none where nothing was typed for it.
+    pub fn typed_at(&self, place: &At) -> Option<At> {
+        let typed = |at: usize, length: usize| self.typed(at..at + length).trim().to_owned();
+        match place {
+            At::Here(own) => {
+                let at = self.text.find(own)?;
+                Some(At::Here(typed(at, own.len())))
+            }
+            At::Behind(own) => {
+                let at = self.text.rfind(own)?;
+                Some(At::Behind(typed(at, own.len())))
+            }
+        }
+    }
+
     /// In plain signs.
-    pub fn text(&self) -> &str {
+    pub(crate) fn text(&self) -> &str {
         &self.text
     }
 

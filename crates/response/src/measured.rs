@@ -268,7 +268,10 @@ fn degrees(formula: &Expr) -> Option<Expr> {
     match unit.kind() {
         Kind::Measure(own, unit) if **unit == Unit::degree() => {
             let number = number.checked_mul(*own)?;
-            Some(Expr::new(Kind::Measure(number, unit.clone()), formula.span()))
+            Some(Expr::new(
+                Kind::Measure(number, unit.clone()),
+                formula.span(),
+            ))
         }
         _ => None,
     }
@@ -311,8 +314,16 @@ mod tests {
             ("1.5e-5 m cos(2 t)", "0.000015*cos(2*t)", "m"),
             ("(0.5 m)exp(-t)", "0.5*exp(-t)", "m"),
             ("0.5*m*exp(-t)", "0.5*exp(-t)", "m"),
-            ("0.5 m (cos(2 t) + 3 sin(2 t))", "0.5*(cos(2*t) + 3*sin(2*t))", "m"),
-            ("2 (0.1 cos(2 t) + 3 sin(2 t)) cm", "2*(0.1*cos(2*t) + 3*sin(2*t))", "cm"),
+            (
+                "0.5 m (cos(2 t) + 3 sin(2 t))",
+                "0.5*(cos(2*t) + 3*sin(2*t))",
+                "m",
+            ),
+            (
+                "2 (0.1 cos(2 t) + 3 sin(2 t)) cm",
+                "2*(0.1*cos(2*t) + 3*sin(2*t))",
+                "cm",
+            ),
             (
                 "0.5 cos(2 t) m - 2 sin(t) m",
                 "0.5*cos(2*t) - 2*sin(t)",

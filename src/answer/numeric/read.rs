@@ -159,8 +159,7 @@ fn said_once(values: &Values<'_>, statements: &[Part]) -> Option<TypedNumber> {
     let numbers: Vec<TypedNumber> = statements.iter().map(read).collect::<Option<_>>()?;
     let (first, others) = numbers.split_first()?;
     let is_restated = |other: &TypedNumber| {
-        first.quantity.unit != other.quantity.unit
-            && is_same_but_for_rounding(first, other)
+        first.quantity.unit != other.quantity.unit && is_same_but_for_rounding(first, other)
     };
     others.iter().all(is_restated).then(|| first.clone())
 }

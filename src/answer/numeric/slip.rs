@@ -41,7 +41,9 @@ impl Numbers {
                 Some(_) => Negated::Angle,
             }));
         }
-        let is_angle = ["rad", "deg"].iter().any(|angle| self.unit.has_factor(angle));
+        let is_angle = ["rad", "deg"]
+            .iter()
+            .any(|angle| self.unit.has_factor(angle));
         if is_angle && (fits_within_turn(DEGREE) || fits_within_turn(1.0 / DEGREE)) {
             let shown = if unit.is_one() { self.unit } else { *unit };
             return Some(Slip::AngleUnit(shown));

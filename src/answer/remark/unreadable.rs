@@ -320,14 +320,7 @@ impl Unreadable {
 
     /// With its place as it was typed, in place of how it was read; none where nothing was typed for it.
     pub(crate) fn point_at_typed(&mut self, folded: &Folded<'_>) {
-        let text = folded.text();
-        let typed = |at: usize, length: usize| folded.typed(at..at + length).trim().to_owned();
-        let place = match &self.at {
-            Some(At::Here(own)) => text.find(own).map(|at| At::Here(typed(at, own.len()))),
-            Some(At::Behind(own)) => text.rfind(own).map(|at| At::Behind(typed(at, own.len()))),
-            None => None,
-        };
-        self.at = place;
+        self.at = self.at.as_ref().and_then(|at| folded.typed_at(at));
     }
 
     /// With an example.

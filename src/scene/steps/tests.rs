@@ -300,7 +300,7 @@ fn mark(
         let typed = sides.collect::<Vec<_>>().join(" = ");
         let folded = Folded::of(&typed);
         let folded = folded.as_ref().map_or(Passage::default(), Folded::passage);
-        let marking = solution.marker(place).expect("a key").mark(folded.trim());
+        let marking = solution.marker(place).expect("a key").mark(folded);
         assert_eq!(
             marking.verdict,
             Verdict::Right,

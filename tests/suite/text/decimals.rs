@@ -75,18 +75,29 @@ fn readings_keep_to_a_decimal_comma() {
         ("K", "[[1.5*k, 0], [0, k]]"),
         ("range", "mu > 0.125"),
         ("motion", "0,25*cos(1,5*t)"),
-        ("general", "x1 = A*cos(0.5*t) + B*sin(0.5*t); x2 = C*cos(t) + D*sin(t)"),
+        (
+            "general",
+            "x1 = A*cos(0.5*t) + B*sin(0.5*t); x2 = C*cos(t) + D*sin(t)",
+        ),
         ("eom1", "m*x1'' + 1.5*k*x1 = 0"),
         ("u1", "[1; 0,618]"),
     ] {
         let Some(place) = place(id) else {
-            panic!("no part `{id}`: {:?}", item.parts.iter().map(|part| &part.id).collect::<Vec<_>>());
+            panic!(
+                "no part `{id}`: {:?}",
+                item.parts.iter().map(|part| &part.id).collect::<Vec<_>>()
+            );
         };
         let marking = vibank::grade::mark(&solution, place, typed);
-        let reading = marking.reading.unwrap_or_else(|| panic!("{typed}: {:?}", marking.remarks));
+        let reading = marking
+            .reading
+            .unwrap_or_else(|| panic!("{typed}: {:?}", marking.remarks));
         let echo = vibank::grade::echo(&solution, place, typed).expect("it can be read");
         for shown in [reading.math.plain(), echo.reading.math.plain()] {
-            assert!(!has_decimal_point(&shown) && shown.contains(','), "{typed}: {shown}");
+            assert!(
+                !has_decimal_point(&shown) && shown.contains(','),
+                "{typed}: {shown}"
+            );
         }
     }
 }
