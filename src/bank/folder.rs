@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use crate::document::Document;
+use crate::document::{Document, read_bare};
 
 #[cfg(feature = "render")]
 use crate::{
@@ -147,7 +147,7 @@ impl Chapter {
                 chapter.number = number;
             }
             let mut bare = |text: &Text| {
-                let (document, mut found) = Document::read_bare(text, source);
+                let (document, mut found) = read_bare(text, source);
                 findings.append(&mut found);
                 document
             };

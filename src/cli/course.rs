@@ -69,7 +69,7 @@ fn text(
     let run = Run::plain(TITLE, "en", '.').with_paper(paper);
     let pages = Pages::new(writer, run, &[]).map_err(|error| fail(&error))?;
     let texts: Vec<&str> = chapters.iter().map(|(_, text)| *text).collect();
-    let body = pages.textbook(&texts, catalogue);
+    let body = output::textbook_body(&pages, &texts, catalogue);
     let body = body.map_err(|(place, error)| {
         let name = chapters.get(place).map_or("", |(name, _)| name);
         Failure::new(format!("`{name}`, {error}"))

@@ -5,8 +5,8 @@
 use std::fmt::Write;
 
 use super::fill::InMath;
-use super::{Alignment, Block, Document, Fill, Fills, Inline, Step};
-use crate::math::{Display, Empty, Holes, Math, Voice, escape};
+use super::{Alignment, Block, Fill, Fills, Inline, Step};
+use crate::math::{Display, Empty, Holes, Math, Voice, escape, write_mathml_line};
 
 /// How formulas stand in HTML.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -68,65 +68,30 @@ impl Formulas {
     }
 }
 
-impl Document {
-    /// As an HTML fragment, whose formulas are heard in a voice.
-    pub fn html(&self, fills: &dyn Fills, voice: &'static Voice) -> String {
-        let mut out = String::new();
-        self.write_html(&mut out, fills, voice);
-        out
-    }
+/// Appends the blocks, each on a line of its own.
+pub(crate) fn write(
+    out: &mut String,
+    blocks: &[Block],
+    fills: &dyn Fills,
+    formulas: Formulas,
+    voice: &'static Voice,
+) {
+    HtmlWriter::new(out, fills, formulas, voice).blocks(blocks);
+}
 
-    /// Appends an HTML fragment.
-    pub fn write_html(&self, out: &mut String, fills: &dyn Fills, voice: &'static Voice) {
-        self.write_html_with(out, fills, Formulas::MathMl, voice);
-    }
-
-    /// Appends an HTML fragment with its formulas as they are wanted.
-    pub(crate) fn write_html_with(
-        &self,
-        out: &mut String,
-        fills: &dyn Fills,
-        formulas: Formulas,
-        voice: &'static Voice,
-    ) {
-        let mut writer = HtmlWriter {
-            out,
-            fills,
-            formulas,
-            voice,
-        };
-        writer.blocks(&self.blocks);
-    }
-
-    /// Appends the words of its first paragraph without an element around them, for a heading or
-    /// a cell; a text of any other shape is written whole.
-    pub(crate) fn write_html_line(
-        &self,
-        out: &mut String,
-        fills: &dyn Fills,
-        voice: &'static Voice,
-    ) {
-        self.write_html_line_with(out, fills, Formulas::MathMl, voice);
-    }
-
-    /// As `write_html_line`, with its formulas as they are wanted.
-    pub fn write_html_line_with(
-        &self,
-        out: &mut String,
-        fills: &dyn Fills,
-        formulas: Formulas,
-        voice: &'static Voice,
-    ) {
-        let mut writer = HtmlWriter {
-            out,
-            fills,
-            formulas,
-            voice,
-        };
-        match self.blocks.as_slice() {
-            [Block::Paragraph(content)] => writer.inlines(content),
-            blocks => writer.blocks(blocks),
-        }
+/// Appends the words of a text of one paragraph without an element around them; a text of any other shape is written
+/// whole.
+pub(crate) fn write_line(
+    out: &mut String,
+    blocks: &[Block],
+    fills: &dyn Fills,
+    formulas: Formulas,
+    voice: &'static Voice,
+) {
+    let mut writer = HtmlWriter::new(out, fills, formulas, voice);
+    match blocks {
+        [Block::Paragraph(content)] => writer.inlines(content),
+        blocks => writer.blocks(blocks),
     }
 }
 
@@ -137,7 +102,21 @@ struct HtmlWriter<'a> {
     voice: &'static Voice,
 }
 
-impl HtmlWriter<'_> {
+impl<'a> HtmlWriter<'a> {
+    fn new(
+        out: &'a mut String,
+        fills: &'a dyn Fills,
+        formulas: Formulas,
+        voice: &'static Voice,
+    ) -> Self {
+        Self {
+            out,
+            fills,
+            formulas,
+            voice,
+        }
+    }
+
     fn blocks(&mut self, blocks: &[Block]) {
         for block in blocks {
             self.block(block);
@@ -326,7 +305,7 @@ impl HtmlWriter<'_> {
             let measure = measure.unwrap_or_default();
             let _ = write!(self.out, "<div class=\"steps\"{measure}>");
             for [left, right] in &step.lines {
-                Math::write_mathml_line(self.out, left, right, &InMath(self.fills), self.voice);
+                write_mathml_line(self.out, left, right, &InMath(self.fills), self.voice);
             }
             self.out.push_str("</div>");
         }

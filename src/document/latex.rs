@@ -8,21 +8,18 @@ use std::fmt::Write;
 use sha2::{Digest, Sha256};
 
 use super::fill::InMath;
-use super::{Alignment, Block, Document, Fill, Fills, Inline, Step};
+use super::{Alignment, Block, Fill, Fills, Inline, Step};
 use crate::math::{Display, Math, Sign, greek_name, is_invisible};
 
-impl Document {
-    /// Writes the text in LaTeX, its holes filled.
-    pub fn latex(&self, fills: &dyn Fills) -> String {
-        let mut out = String::new();
-        self.write_latex(&mut out, fills);
-        out
+/// The blocks in LaTeX, parted by empty lines.
+pub(crate) fn of(blocks: &[Block], fills: &dyn Fills) -> String {
+    let mut out = String::new();
+    LatexWriter {
+        out: &mut out,
+        fills,
     }
-
-    /// Appends LaTeX, its blocks parted by empty lines.
-    pub fn write_latex(&self, out: &mut String, fills: &dyn Fills) {
-        LatexWriter { out, fills }.blocks(&self.blocks);
-    }
+    .blocks(blocks);
+    out
 }
 
 /// The name of the file of a figure: the same picture has the same name.

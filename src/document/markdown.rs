@@ -1,27 +1,20 @@
 //! Markdown with LaTeX math between dollar signs.
 
 use super::fill::InMath;
-use super::{Alignment, Block, Document, Fill, Fills, Inline, Step};
+use super::{Alignment, Block, Fill, Fills, Inline, Step};
 use crate::math::Math;
 
-impl Document {
-    /// Writes the text in Markdown, with formulas between dollar signs, its holes filled.
-    pub fn markdown(&self, fills: &dyn Fills) -> String {
-        let mut out = String::new();
-        self.write_markdown(&mut out, fills);
-        out
+/// The blocks in Markdown, parted by empty lines.
+pub(crate) fn of(blocks: &[Block], fills: &dyn Fills) -> String {
+    let mut out = String::new();
+    MarkdownWriter {
+        out: &mut out,
+        fills,
+        indent: String::new(),
+        in_cell: false,
     }
-
-    /// Appends Markdown, its blocks parted by empty lines.
-    pub(crate) fn write_markdown(&self, out: &mut String, fills: &dyn Fills) {
-        MarkdownWriter {
-            out,
-            fills,
-            indent: String::new(),
-            in_cell: false,
-        }
-        .blocks(&self.blocks);
-    }
+    .blocks(blocks);
+    out
 }
 
 struct MarkdownWriter<'a> {

@@ -25,13 +25,15 @@ pub use html::Formulas;
 pub(crate) use latex::{picture_name, write_words as latex_words};
 pub use placeholder::{Form, Placeholder};
 #[cfg(feature = "render")]
+pub(crate) use read::read_bare;
+#[cfg(feature = "render")]
 pub use read::{Reading, TextError, read_math};
 #[cfg(feature = "render")]
 pub(crate) use typst::write_picture;
 
 use serde::Serialize;
 
-use crate::math::Math;
+use crate::math::{Math, Voice};
 
 /// A text, compiled.
 ///
@@ -164,6 +166,26 @@ impl Document {
         }
     }
 
+    /// Reads a text. Length and nesting are bounded.
+    ///
+    /// # Examples
+    ///
+    /// ```
+    /// use vibank::document::{Document, Filling};
+    /// use vibank::math::Math;
+    ///
+    /// let reading = Document::read("A block of mass << m >> with $\\omega_n = << omega_n >>$.");
+    /// assert!(reading.errors.is_empty());
+    /// let demand: Vec<_> = reading.document.placeholders().iter().map(|p| &p.path).collect();
+    /// assert_eq!(demand, ["m", "omega_n"]);
+    /// let fills = vec![Filling::Math(Math::number("2.0")), Filling::Math(Math::number("3.0"))];
+    /// assert_eq!(reading.document.plain(&fills), "A block of mass 2.0 with ωₙ = 3.0.");
+    /// ```
+    #[cfg(feature = "render")]
+    pub fn read(text: &str) -> Reading {
+        read::read(text)
+    }
+
     /// A sentence of our own; what stands between back-ticks is code.
     ///
     /// ```
@@ -201,6 +223,71 @@ impl Document {
     /// Whether there is nothing in it.
     pub fn is_empty(&self) -> bool {
         self.blocks.is_empty()
+    }
+
+    /// As an HTML fragment, whose formulas are heard in a voice.
+    pub fn html(&self, fills: &dyn Fills, voice: &'static Voice) -> String {
+        let mut out = String::new();
+        self.write_html(&mut out, fills, voice);
+        out
+    }
+
+    /// Appends an HTML fragment.
+    pub fn write_html(&self, out: &mut String, fills: &dyn Fills, voice: &'static Voice) {
+        self.write_html_with(out, fills, Formulas::MathMl, voice);
+    }
+
+    /// Appends an HTML fragment with its formulas as they are wanted.
+    pub(crate) fn write_html_with(
+        &self,
+        out: &mut String,
+        fills: &dyn Fills,
+        formulas: Formulas,
+        voice: &'static Voice,
+    ) {
+        html::write(out, &self.blocks, fills, formulas, voice);
+    }
+
+    /// Appends the words of its first paragraph without an element around them, for a heading or
+    /// a cell; a text of any other shape is written whole.
+    pub(crate) fn write_html_line(
+        &self,
+        out: &mut String,
+        fills: &dyn Fills,
+        voice: &'static Voice,
+    ) {
+        self.write_html_line_with(out, fills, Formulas::MathMl, voice);
+    }
+
+    /// As `write_html_line`, with its formulas as they are wanted.
+    pub fn write_html_line_with(
+        &self,
+        out: &mut String,
+        fills: &dyn Fills,
+        formulas: Formulas,
+        voice: &'static Voice,
+    ) {
+        html::write_line(out, &self.blocks, fills, formulas, voice);
+    }
+
+    /// Writes the text in LaTeX, its holes filled.
+    pub fn latex(&self, fills: &dyn Fills) -> String {
+        latex::of(&self.blocks, fills)
+    }
+
+    /// As Typst markup, whose formulas are heard in a voice.
+    pub fn typst(&self, fills: &dyn Fills, voice: &'static Voice) -> String {
+        typst::of(&self.blocks, fills, voice)
+    }
+
+    /// Writes the text in Markdown, with formulas between dollar signs, its holes filled.
+    pub fn markdown(&self, fills: &dyn Fills) -> String {
+        markdown::of(&self.blocks, fills)
+    }
+
+    /// As plain text.
+    pub fn plain(&self, fills: &dyn Fills) -> String {
+        plain::of(&self.blocks, fills)
     }
 
     /// Writes the decimals within its formulas with another sign.

@@ -3,26 +3,19 @@
 //! Control characters are left out, so that no text can steer the terminal.
 
 use super::fill::InMath;
-use super::{Block, Document, Fill, Fills, Inline, Step};
+use super::{Block, Fill, Fills, Inline, Step};
 use crate::math::Math;
 
-impl Document {
-    /// As plain text.
-    pub fn plain(&self, fills: &dyn Fills) -> String {
-        let mut out = String::new();
-        self.write_plain(&mut out, fills);
-        out
+/// The blocks as plain text, parted by empty lines.
+pub(crate) fn of(blocks: &[Block], fills: &dyn Fills) -> String {
+    let mut out = String::new();
+    PlainWriter {
+        out: &mut out,
+        fills,
+        indent: String::new(),
     }
-
-    /// Appends plain text, its blocks parted by empty lines.
-    pub fn write_plain(&self, out: &mut String, fills: &dyn Fills) {
-        PlainWriter {
-            out,
-            fills,
-            indent: String::new(),
-        }
-        .blocks(&self.blocks, false);
-    }
+    .blocks(blocks, false);
+    out
 }
 
 struct PlainWriter<'a> {

@@ -4,21 +4,19 @@
 //! Typst. A figure is a call of `picture(words, markup)`, in a text inside of `figure-block`; the layouts define both.
 
 use super::fill::InMath;
-use super::{Alignment, Block, Document, Fill, Fills, Inline, Step};
+use super::{Alignment, Block, Fill, Fills, Inline, Step};
 use crate::math::{Display, Math, Voice, quote};
 
-impl Document {
-    /// As Typst markup, whose formulas are heard in a voice.
-    pub fn typst(&self, fills: &dyn Fills, voice: &'static Voice) -> String {
-        let mut out = String::new();
-        self.write_typst(&mut out, fills, voice);
-        out
+/// The blocks in Typst, parted by empty lines.
+pub(crate) fn of(blocks: &[Block], fills: &dyn Fills, voice: &'static Voice) -> String {
+    let mut out = String::new();
+    TypstWriter {
+        out: &mut out,
+        fills,
+        voice,
     }
-
-    /// Appends Typst markup, its blocks parted by empty lines.
-    pub fn write_typst(&self, out: &mut String, fills: &dyn Fills, voice: &'static Voice) {
-        TypstWriter { out, fills, voice }.blocks(&self.blocks);
-    }
+    .blocks(blocks);
+    out
 }
 
 struct TypstWriter<'a> {

@@ -2,7 +2,8 @@
 
 use serde::Serialize;
 
-use super::pages::Run;
+use super::layouts::OutputError;
+use super::pages::{Pages, Run};
 use super::words::{FairnessWords, filled};
 use crate::bank::ItemId;
 use crate::unit::{Decimal, DecimalMark};
@@ -10,7 +11,7 @@ use crate::worksheet::{Alike, Fairness, ItemFairness, QuestionFairness, Range};
 
 /// How alike the variants are, as the layout sees it.
 #[derive(Serialize)]
-pub(crate) struct FairnessView<'f> {
+struct FairnessView<'f> {
     verdict: String,
     /// How many students sit beside each other, and how many of them share something.
     neighbours: String,
@@ -50,7 +51,7 @@ struct RangeView<'f> {
 impl<'f> FairnessView<'f> {
     /// `written` writes the words of class lists in the notation of the page, whose remarks are marked by a triangle where
     /// it `has_triangles`.
-    pub(crate) fn of(
+    fn of(
         fairness: &'f Fairness,
         run: &Run,
         has_triangles: bool,
@@ -144,6 +145,31 @@ impl<'f> ItemView<'f> {
             ranges: item.answers.iter().map(range).collect(),
         }
     }
+}
+
+/// The page that tells a teacher how alike the variants are.
+///
+/// # Errors
+///
+/// [`OutputError::Page`].
+pub fn fairness_page(pages: &Pages, fairness: &Fairness) -> Result<String, OutputError> {
+    #[derive(Serialize)]
+    struct FairnessPage<'a> {
+        run: &'a Run,
+        fairness: FairnessView<'a>,
+    }
+    pages.layouts.fill(
+        "fairness",
+        &FairnessPage {
+            run: &pages.run,
+            fairness: FairnessView::of(
+                fairness,
+                &pages.run,
+                pages.writer.escape().is_some(),
+                |words| pages.placed(words),
+            ),
+        },
+    )
 }
 
 /// Two neighbours, and in which questions they share something.

@@ -49,85 +49,83 @@ struct FeedbackPartView {
     remarks: Vec<String>,
 }
 
-impl Pages {
-    /// The page of a student's feedback.
-    ///
-    /// # Errors
-    ///
-    /// [`OutputError::Page`].
-    pub fn feedback(&self, feedback: &Feedback) -> Result<String, OutputError> {
-        let sheet = SheetView {
-            code: feedback.code.clone(),
-            name: self.placed(self.run.name(&feedback.name, &feedback.student)),
-            student: self.placed(self.run.plain_name(&feedback.student)),
-            type_size: feedback.type_size,
-            total: self.total(feedback),
-            questions: feedback
-                .questions
-                .iter()
-                .map(|question| self.answered(question))
-                .collect(),
+/// The page of a student's feedback.
+///
+/// # Errors
+///
+/// [`OutputError::Page`].
+pub fn feedback_page(pages: &Pages, feedback: &Feedback) -> Result<String, OutputError> {
+    let sheet = SheetView {
+        code: feedback.code.clone(),
+        name: pages.placed(pages.run.name(&feedback.name, &feedback.student)),
+        student: pages.placed(pages.run.plain_name(&feedback.student)),
+        type_size: feedback.type_size,
+        total: total(pages, feedback),
+        questions: feedback
+            .questions
+            .iter()
+            .map(|question| answered(pages, question))
+            .collect(),
+    };
+    let run = &pages.run;
+    pages.layouts.fill("feedback", &FeedbackPage { run, sheet })
+}
+
+fn answered(pages: &Pages, question: &QuestionFeedback) -> FeedbackQuestionView {
+    FeedbackQuestionView {
+        number: question.number,
+        title: pages.placed(&question.title),
+        points: reached(pages, question.points, question.open, question.max),
+        parts: question
+            .parts
+            .iter()
+            .map(|part| marked(pages, part))
+            .collect(),
+    }
+}
+
+fn marked(pages: &Pages, part: &PartFeedback) -> FeedbackPartView {
+    let remark = |remark: &Comment| {
+        let shown = Shown {
+            document: Cow::Borrowed(&remark.document),
+            fillings: remark.fillings.clone(),
         };
-        let run = &self.run;
-        self.layouts.fill("feedback", &FeedbackPage { run, sheet })
+        pages.writer.texts(&[shown], pages.run.voice())
+    };
+    FeedbackPartView {
+        letter: part.letter.clone(),
+        verdict: part.verdict.name(),
+        words: match part.verdict {
+            Verdict::Unreadable => pages.run.spoken().undecided(),
+            verdict => pages.run.spoken().heading(verdict),
+        },
+        points: match part.verdict {
+            Verdict::Unreadable => pages.run.words.reached("?", &pages.points(part.max)),
+            _ => reached(pages, part.points, Rational::ZERO, part.max),
+        },
+        response: pages.placed(&part.response),
+        reading: part.reading.as_ref().map_or_else(String::new, |reading| {
+            pages.writer.math(reading, pages.run.voice())
+        }),
+        remarks: part.remarks.iter().map(remark).collect(),
     }
+}
 
-    fn answered(&self, question: &QuestionFeedback) -> FeedbackQuestionView {
-        FeedbackQuestionView {
-            number: question.number,
-            title: self.placed(&question.title),
-            points: self.reached(question.points, question.open, question.max),
-            parts: question
-                .parts
-                .iter()
-                .map(|part| self.marked(part))
-                .collect(),
+/// What the sheet came to, with its grade.
+fn total(pages: &Pages, feedback: &Feedback) -> String {
+    let reached = reached(pages, feedback.points, feedback.open, feedback.max);
+    match &feedback.grade {
+        Some(grade) => {
+            let grade = pages.placed(grade);
+            let values = [("reached", reached.as_str()), ("grade", grade.as_str())];
+            filled(&pages.run.words.graded, &values)
         }
+        None => reached,
     }
+}
 
-    fn marked(&self, part: &PartFeedback) -> FeedbackPartView {
-        let remark = |remark: &Comment| {
-            let shown = Shown {
-                document: Cow::Borrowed(&remark.document),
-                fillings: remark.fillings.clone(),
-            };
-            self.writer.texts(&[shown], self.run.voice())
-        };
-        FeedbackPartView {
-            letter: part.letter.clone(),
-            verdict: part.verdict.name(),
-            words: match part.verdict {
-                Verdict::Unreadable => self.run.spoken().undecided(),
-                verdict => self.run.spoken().heading(verdict),
-            },
-            points: match part.verdict {
-                Verdict::Unreadable => self.run.words.reached("?", &self.points(part.max)),
-                _ => self.reached(part.points, Rational::ZERO, part.max),
-            },
-            response: self.placed(&part.response),
-            reading: part.reading.as_ref().map_or_else(String::new, |reading| {
-                self.writer.math(reading, self.run.voice())
-            }),
-            remarks: part.remarks.iter().map(remark).collect(),
-        }
-    }
-
-    /// What the sheet came to, with its grade.
-    fn total(&self, feedback: &Feedback) -> String {
-        let reached = self.reached(feedback.points, feedback.open, feedback.max);
-        match &feedback.grade {
-            Some(grade) => {
-                let grade = self.placed(grade);
-                let values = [("reached", reached.as_str()), ("grade", grade.as_str())];
-                filled(&self.run.words.graded, &values)
-            }
-            None => reached,
-        }
-    }
-
-    /// `2.5 of 4 points`, or `2.5 + ?1 of 4 points` where one of them is not decided yet.
-    fn reached(&self, points: Rational, open: Rational, max: Rational) -> String {
-        let reached = self.run.marked(&crate::grade::standing(points, open));
-        self.run.words.reached(&reached, &self.points(max))
-    }
+/// `2.5 of 4 points`, or `2.5 + ?1 of 4 points` where one of them is not decided yet.
+fn reached(pages: &Pages, points: Rational, open: Rational, max: Rational) -> String {
+    let reached = pages.run.marked(&crate::grade::standing(points, open));
+    pages.run.words.reached(&reached, &pages.points(max))
 }

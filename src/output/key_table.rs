@@ -5,6 +5,11 @@
 
 use serde::Serialize;
 
+use super::layouts::OutputError;
+use super::pages::{Pages, Run};
+use crate::scene::Scene;
+use crate::worksheet::{Sheet, headings};
+
 /// The answers of some variants.
 #[derive(Clone, Debug, Default)]
 pub struct KeyTable {
@@ -213,6 +218,61 @@ impl<'a> KeyLine<'a> {
             cells: variants.iter().map(cell).collect(),
         }
     }
+}
+
+/// The answers of a sheet, for the table of all variants.
+pub fn key_row(pages: &Pages, sheet: &Sheet<'_>) -> KeyRow {
+    let code = sheet.variant.to_string();
+    let words = pages.run.words;
+    let phrase = |text: &str| (pages.writer.words(text), text.chars().count());
+    let mut questions = Vec::new();
+    for question in &sheet.questions {
+        let scene = Scene::of(&question.solution, pages.run.data).spoken(pages.run.spoken());
+        let template = question.solution.template();
+        let is_by_hand = |place: usize| template.parts[place].answer.kind().is_by_hand();
+        let mut keys = QuestionKeys {
+            number: question.number,
+            item: template.id.to_string(),
+            ..QuestionKeys::default()
+        };
+        let headings = headings(template, &question.parts);
+        for (heading, place) in headings.iter().zip(&question.parts) {
+            let (cell, width) = match scene.key(*place) {
+                Ok(Some(key)) => (
+                    pages.writer.math(&key, pages.run.voice()),
+                    key.plain().chars().count(),
+                ),
+                Ok(None) => phrase(&words.in_the_solution),
+                Err(_) if is_by_hand(*place) => phrase(&words.by_hand),
+                Err(_) => (pages.writer.words("–"), 1),
+            };
+            let part = format!("{}{}", question.number, heading.letter);
+            keys.parts.push(part);
+            keys.cells.push(cell);
+            keys.widths.push(width);
+        }
+        questions.push(keys);
+    }
+    KeyRow { code, questions }
+}
+
+/// The page with the answers of some variants: what they share first, then item by item.
+///
+/// # Errors
+///
+/// [`OutputError::Page`].
+pub fn key_table_page(pages: &Pages, table: &KeyTable) -> Result<String, OutputError> {
+    #[derive(Serialize)]
+    struct KeyTablePage<'a> {
+        run: &'a Run,
+        panels: Vec<Panel<'a>>,
+    }
+    let all = pages.placed(&pages.run.words.all_sheets);
+    let panels = table.panels(&all);
+    let run = &pages.run;
+    pages
+        .layouts
+        .fill("keytable", &KeyTablePage { run, panels })
 }
 
 #[cfg(test)]

@@ -4,6 +4,7 @@ use serde::Serialize;
 
 use super::layouts::OutputError;
 use super::pages::{Pages, Run};
+use super::words::Words;
 use crate::worksheet::{Section, Student, Whose};
 
 /// What a list is for.
@@ -32,6 +33,13 @@ impl List {
         match self {
             Self::Attendance => "attendance list",
             Self::Seating => "seats and codes",
+        }
+    }
+
+    pub(crate) fn title(self, words: &Words) -> &str {
+        match self {
+            Self::Attendance => &words.attendance_list,
+            Self::Seating => &words.seating_list,
         }
     }
 }
@@ -79,117 +87,114 @@ struct RowView {
     note: String,
 }
 
-impl Pages {
-    /// What the title of a list says beside the title of the sheet.
-    pub fn list_title(&self, list: List) -> &str {
-        match list {
-            List::Attendance => &self.run.words.attendance_list,
-            List::Seating => &self.run.words.seating_list,
-        }
-    }
+/// A list of these sections.
+///
+/// # Errors
+///
+/// [`OutputError::Page`].
+pub fn list_page(
+    pages: &Pages,
+    list: List,
+    sections: &[Section],
+    roll: Roll<'_>,
+) -> Result<String, OutputError> {
+    let sections = sections
+        .iter()
+        .map(|section| section_view(pages, section, roll));
+    let sections: Vec<SectionView> = sections.collect();
+    let rows = || sections.iter().flat_map(|section| &section.rows);
+    let view = ListView {
+        run: &pages.run,
+        subtitle: pages.list_title(list),
+        has_groups: rows().any(|row| !row.group.is_empty()),
+        has_notes: rows().any(|row| !row.note.is_empty()),
+        sections,
+    };
+    pages.layouts.fill(list.name(), &view)
+}
 
-    /// A list of these sections.
-    ///
-    /// # Errors
-    ///
-    /// [`OutputError::Page`].
-    pub fn list(
-        &self,
-        list: List,
-        sections: &[Section],
-        roll: Roll<'_>,
-    ) -> Result<String, OutputError> {
-        let sections = sections.iter().map(|section| self.section(section, roll));
-        let sections: Vec<SectionView> = sections.collect();
-        let rows = || sections.iter().flat_map(|section| &section.rows);
-        let view = ListView {
-            run: &self.run,
-            subtitle: self.list_title(list),
-            has_groups: rows().any(|row| !row.group.is_empty()),
-            has_notes: rows().any(|row| !row.note.is_empty()),
-            sections,
-        };
-        self.layouts.fill(list.name(), &view)
+/// The page that stands before the sheets of a section.
+///
+/// # Errors
+///
+/// [`OutputError::Page`].
+pub fn separator_page(
+    pages: &Pages,
+    section: &Section,
+    roll: Roll<'_>,
+) -> Result<String, OutputError> {
+    #[derive(Serialize)]
+    struct SeparatorPage<'a> {
+        run: &'a Run,
+        section: SectionView,
     }
+    let section = section_view(pages, section, roll);
+    let run = &pages.run;
+    pages
+        .layouts
+        .fill("separator", &SeparatorPage { run, section })
+}
 
-    /// The page that stands before the sheets of a section.
-    ///
-    /// # Errors
-    ///
-    /// [`OutputError::Page`].
-    pub fn separator(&self, section: &Section, roll: Roll<'_>) -> Result<String, OutputError> {
-        #[derive(Serialize)]
-        struct Content<'a> {
-            run: &'a Run,
-            section: SectionView,
-        }
-        let section = self.section(section, roll);
-        let run = &self.run;
-        self.layouts.fill("separator", &Content { run, section })
+fn section_view(pages: &Pages, section: &Section, roll: Roll<'_>) -> SectionView {
+    let count = section.places.len();
+    SectionView {
+        name: name_of(pages, &section.whose),
+        is_spare: section.whose == Whose::Spare,
+        count: pages.run.words.sheets(count),
+        rows: section
+            .places
+            .iter()
+            .map(|place| row_view(pages, *place, &section.whose, roll))
+            .collect(),
     }
+}
 
-    fn section(&self, section: &Section, roll: Roll<'_>) -> SectionView {
-        let count = section.places.len();
-        SectionView {
-            name: self.name_of(&section.whose),
-            is_spare: section.whose == Whose::Spare,
-            count: self.run.words.sheets(count),
-            rows: section
-                .places
-                .iter()
-                .map(|place| self.row(*place, &section.whose, roll))
-                .collect(),
-        }
-    }
+/// Whose the sheets of a section are.
+fn name_of(pages: &Pages, whose: &Whose) -> String {
+    let words = pages.run.words;
+    let named = |what: &str, none: &str, name: &str| match pages.run.plain_name(name) {
+        "" => none.to_owned(),
+        // A class list may say `Group 3` or `3`.
+        name if name.to_lowercase().contains(&what.to_lowercase()) => name.to_owned(),
+        name => format!("{what} {name}"),
+    };
+    let name = match whose {
+        Whose::All => String::new(),
+        Whose::Group(name) => named(&words.group, &words.no_group, name),
+        Whose::Room(name) => named(&words.room, &words.no_room, name),
+        Whose::Spare => words.spare_sheets.clone(),
+    };
+    pages.placed(&name)
+}
 
-    /// Whose the sheets of a section are.
-    fn name_of(&self, whose: &Whose) -> String {
-        let words = self.run.words;
-        let named = |what: &str, none: &str, name: &str| match self.run.plain_name(name) {
-            "" => none.to_owned(),
-            // A class list may say `Group 3` or `3`.
-            name if name.to_lowercase().contains(&what.to_lowercase()) => name.to_owned(),
-            name => format!("{what} {name}"),
-        };
-        let name = match whose {
-            Whose::All => String::new(),
-            Whose::Group(name) => named(&words.group, &words.no_group, name),
-            Whose::Room(name) => named(&words.room, &words.no_room, name),
-            Whose::Spare => words.spare_sheets.clone(),
-        };
-        self.placed(&name)
-    }
-
-    fn row(&self, place: usize, whose: &Whose, roll: Roll<'_>) -> RowView {
-        let number = place + 1;
-        let code = roll.codes.get(place).cloned().unwrap_or_default();
-        let Some(student) = roll.students.get(place) else {
-            return RowView {
-                number,
-                code,
-                ..RowView::default()
-            };
-        };
-        let is_group = matches!(whose, Whose::Group(_));
-        let words = |words: &str| self.placed(self.run.plain_name(words));
-        let phrases = self.run.words;
-        let large = student.type_size.map(|size| phrases.large_print(size));
-        let extra = Some(&student.extra_time).filter(|time| !time.is_empty());
-        let extra =
-            extra.map(|time| format!("{} {}", phrases.extra_time, self.run.plain_name(time)));
-        let notes: Vec<String> = large.into_iter().chain(extra).collect();
-        RowView {
+fn row_view(pages: &Pages, place: usize, whose: &Whose, roll: Roll<'_>) -> RowView {
+    let number = place + 1;
+    let code = roll.codes.get(place).cloned().unwrap_or_default();
+    let Some(student) = roll.students.get(place) else {
+        return RowView {
             number,
             code,
-            seat: words(&student.seat),
-            name: self.placed(self.run.name(&student.name, &student.id)),
-            student: words(&student.id),
-            group: if is_group {
-                String::new()
-            } else {
-                words(&student.group)
-            },
-            note: self.placed(&notes.join("; ")),
-        }
+            ..RowView::default()
+        };
+    };
+    let is_group = matches!(whose, Whose::Group(_));
+    let words = |words: &str| pages.placed(pages.run.plain_name(words));
+    let phrases = pages.run.words;
+    let large = student.type_size.map(|size| phrases.large_print(size));
+    let extra = Some(&student.extra_time).filter(|time| !time.is_empty());
+    let extra = extra.map(|time| format!("{} {}", phrases.extra_time, pages.run.plain_name(time)));
+    let notes: Vec<String> = large.into_iter().chain(extra).collect();
+    RowView {
+        number,
+        code,
+        seat: words(&student.seat),
+        name: pages.placed(pages.run.name(&student.name, &student.id)),
+        student: words(&student.id),
+        group: if is_group {
+            String::new()
+        } else {
+            words(&student.group)
+        },
+        note: pages.placed(&notes.join("; ")),
     }
 }

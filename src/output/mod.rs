@@ -28,16 +28,18 @@ mod view;
 mod words;
 
 pub use chapter::{ChapterError, ChapterPiece, pieces as chapter_pieces};
+pub use fairness::fairness_page;
+pub use feedback::feedback_page;
 pub use form::{FormQuestion, FormSheet, form};
-pub use key_table::{KeyRow, KeyTable};
+pub use key_table::{KeyRow, KeyTable, key_row, key_table_page};
 pub use layouts::{Layouts, OutputError};
-pub use lists::{List, Roll};
+pub use lists::{List, Roll, list_page, separator_page};
 pub use marks::Marked;
 pub use page::practice;
 pub use pages::{Names, Page, PageKind, Pages, Run};
-pub use report::{Analysed, Decided, DecidedMark, Lost, LostSheet};
+pub use report::{Analysed, Decided, DecidedMark, Lost, LostSheet, report_page};
 pub use scorm::{DESCRIPTION, Scorm, scorm};
-pub use textbook::TextbookError;
+pub use textbook::{TextbookError, textbook_body};
 
 use crate::document::{Block, Document};
 use crate::math::{Math, Voice};

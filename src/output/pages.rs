@@ -6,9 +6,9 @@ use std::collections::{BTreeMap, BTreeSet};
 use serde::Serialize;
 
 use super::Writer;
-use super::fairness::FairnessView;
-use super::key_table::{KeyRow, KeyTable, Panel, QuestionKeys};
+use super::key_table::KeyRow;
 use super::layouts::{Layouts, OutputError, font};
+use super::lists::List;
 use super::view::{SheetView, View};
 use super::words::Words;
 use crate::bank::Chapter;
@@ -16,9 +16,9 @@ use crate::document::{Block, Document, Inline};
 use crate::math::{Voice, quote};
 use crate::message::Language;
 use crate::numerics::Rational;
-use crate::scene::{Data, Scene, Shown};
+use crate::scene::{Data, Shown};
 use crate::unit::DecimalMark;
-use crate::worksheet::{AnswerSpace, Blueprint, Fairness, Paper, Sheet, Student, headings};
+use crate::worksheet::{AnswerSpace, Blueprint, Paper, Sheet, Student};
 
 /// What a page is for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -113,7 +113,7 @@ struct Begin<'a> {
 }
 
 #[derive(Serialize)]
-struct Content<'a> {
+struct SheetPage<'a> {
     run: &'a Run,
     sheet: SheetView,
 }
@@ -412,6 +412,11 @@ impl Pages {
         &self.run.words.all_answers
     }
 
+    /// What the title of a list says beside the title of the sheet.
+    pub fn list_title(&self, list: List) -> &str {
+        list.title(self.run.words)
+    }
+
     /// What the title of the page on fairness says of it.
     pub fn fairness_subtitle(&self) -> &'static str {
         &self.run.words.fairness.title
@@ -443,7 +448,7 @@ impl Pages {
         keys: Option<&KeyRow>,
     ) -> Result<Page, OutputError> {
         let view = View::new(self.writer, &self.run, kind).with_keys(keys);
-        let content = Content {
+        let content = SheetPage {
             run: &self.run,
             sheet: view.sheet(sheet),
         };
@@ -465,53 +470,11 @@ impl Pages {
     /// [`OutputError::Page`].
     pub fn among(&self, page: &str, duplex: bool) -> Result<String, OutputError> {
         #[derive(Serialize)]
-        struct Content<'a> {
+        struct Among<'a> {
             page: &'a str,
             duplex: bool,
         }
-        self.layouts.fill("among", &Content { page, duplex })
-    }
-
-    /// The page with the answers of some variants: what they share first, then item by item.
-    ///
-    /// # Errors
-    ///
-    /// [`OutputError::Page`].
-    pub fn key_table(&self, table: &KeyTable) -> Result<String, OutputError> {
-        #[derive(Serialize)]
-        struct Content<'a> {
-            run: &'a Run,
-            panels: Vec<Panel<'a>>,
-        }
-        let all = self.placed(&self.run.words.all_sheets);
-        let panels = table.panels(&all);
-        let run = &self.run;
-        self.layouts.fill("keytable", &Content { run, panels })
-    }
-
-    /// The page that tells a teacher how alike the variants are.
-    ///
-    /// # Errors
-    ///
-    /// [`OutputError::Page`].
-    pub fn fairness(&self, fairness: &Fairness) -> Result<String, OutputError> {
-        #[derive(Serialize)]
-        struct Content<'a> {
-            run: &'a Run,
-            fairness: FairnessView<'a>,
-        }
-        self.layouts.fill(
-            "fairness",
-            &Content {
-                run: &self.run,
-                fairness: FairnessView::of(
-                    fairness,
-                    &self.run,
-                    self.writer.escape().is_some(),
-                    |words| self.placed(words),
-                ),
-            },
-        )
+        self.layouts.fill("among", &Among { page, duplex })
     }
 
     /// Words that a layout places: where it does not escape, they are escaped here.
@@ -526,42 +489,6 @@ impl Pages {
     /// Points in words, `2.5 points`.
     pub fn points(&self, points: Rational) -> String {
         self.run.points(points)
-    }
-
-    /// The answers of a sheet, for the table of all variants.
-    pub fn key_row(&self, sheet: &Sheet<'_>) -> KeyRow {
-        let code = sheet.variant.to_string();
-        let words = self.run.words;
-        let phrase = |text: &str| (self.writer.words(text), text.chars().count());
-        let mut questions = Vec::new();
-        for question in &sheet.questions {
-            let scene = Scene::of(&question.solution, self.run.data).spoken(self.run.spoken());
-            let template = question.solution.template();
-            let is_by_hand = |place: usize| template.parts[place].answer.kind().is_by_hand();
-            let mut keys = QuestionKeys {
-                number: question.number,
-                item: template.id.to_string(),
-                ..QuestionKeys::default()
-            };
-            let headings = headings(template, &question.parts);
-            for (heading, place) in headings.iter().zip(&question.parts) {
-                let (cell, width) = match scene.key(*place) {
-                    Ok(Some(key)) => (
-                        self.writer.math(&key, self.run.voice()),
-                        key.plain().chars().count(),
-                    ),
-                    Ok(None) => phrase(&words.in_the_solution),
-                    Err(_) if is_by_hand(*place) => phrase(&words.by_hand),
-                    Err(_) => (self.writer.words("–"), 1),
-                };
-                let part = format!("{}{}", question.number, heading.letter);
-                keys.parts.push(part);
-                keys.cells.push(cell);
-                keys.widths.push(width);
-            }
-            questions.push(keys);
-        }
-        KeyRow { code, questions }
     }
 }
 

@@ -204,179 +204,183 @@ struct Counted {
 /// Height of the histogram, in the units of its picture.
 const HEIGHT: f64 = 60.0;
 
-impl Pages {
-    /// The page of an item analysis.
-    ///
-    /// # Errors
-    ///
-    /// [`OutputError::Page`].
-    pub fn report(&self, analysed: &Analysed<'_>) -> Result<String, OutputError> {
-        let summary = analysed.summary;
-        let words = &self.run.words.report;
-        let more_decided = analysed.decided.len().saturating_sub(MAX_DECIDED);
-        let more = filled(&words.more_decided, &[("count", &more_decided.to_string())]);
-        let page = ReportPage {
-            run: &self.run,
-            sheets: summary.sheets,
-            unused: match analysed.unused {
-                0 => String::new(),
-                count => filled(&words.unused, &[("count", &count.to_string())]),
-            },
-            absent: match analysed.absent {
-                0 => String::new(),
-                count => filled(&words.absent, &[("count", &count.to_string())]),
-            },
-            lost: analysed.lost.iter().map(LostView::of).collect(),
-            unreadable: analysed.unreadable,
-            undecided: filled(
-                &words.undecided,
-                &[("count", &analysed.unreadable.to_string())],
-            ),
-            undecided_note: quoted::pieces(&words.undecided_note),
-            faults: analysed
-                .faults
-                .iter()
-                .map(|fault| quoted::pieces(fault))
-                .collect(),
-            marks: analysed.marks.map(|marks| marks.view(&self.run)),
-            decided: analysed
-                .decided
-                .iter()
-                .take(MAX_DECIDED)
-                .map(|own| self.decided(own))
-                .collect(),
-            more_decided: if more_decided > 0 {
-                quoted::pieces(&more)
-            } else {
-                Vec::new()
-            },
-            facts: self.facts(summary),
-            bars: summary.shares.as_ref().map_or(Vec::new(), bars),
-            parts: summary.parts.iter().map(|own| self.part(own)).collect(),
-        };
-        self.layouts.fill("report", &page)
-    }
+/// The page of an item analysis.
+///
+/// # Errors
+///
+/// [`OutputError::Page`].
+pub fn report_page(pages: &Pages, analysed: &Analysed<'_>) -> Result<String, OutputError> {
+    let summary = analysed.summary;
+    let words = &pages.run.words.report;
+    let more_decided = analysed.decided.len().saturating_sub(MAX_DECIDED);
+    let more = filled(&words.more_decided, &[("count", &more_decided.to_string())]);
+    let page = ReportPage {
+        run: &pages.run,
+        sheets: summary.sheets,
+        unused: match analysed.unused {
+            0 => String::new(),
+            count => filled(&words.unused, &[("count", &count.to_string())]),
+        },
+        absent: match analysed.absent {
+            0 => String::new(),
+            count => filled(&words.absent, &[("count", &count.to_string())]),
+        },
+        lost: analysed.lost.iter().map(LostView::of).collect(),
+        unreadable: analysed.unreadable,
+        undecided: filled(
+            &words.undecided,
+            &[("count", &analysed.unreadable.to_string())],
+        ),
+        undecided_note: quoted::pieces(&words.undecided_note),
+        faults: analysed
+            .faults
+            .iter()
+            .map(|fault| quoted::pieces(fault))
+            .collect(),
+        marks: analysed.marks.map(|marks| marks.view(&pages.run)),
+        decided: analysed
+            .decided
+            .iter()
+            .take(MAX_DECIDED)
+            .map(|own| decided(pages, own))
+            .collect(),
+        more_decided: if more_decided > 0 {
+            quoted::pieces(&more)
+        } else {
+            Vec::new()
+        },
+        facts: facts(pages, summary),
+        bars: summary.shares.as_ref().map_or(Vec::new(), bars),
+        parts: summary.parts.iter().map(|own| part(pages, own)).collect(),
+    };
+    pages.layouts.fill("report", &page)
+}
 
-    fn decided<'a>(&self, decided: &'a Decided) -> DecidedView<'a> {
-        let report = &self.run.words.report;
-        let mut counts: Vec<(String, usize)> = Vec::new();
-        for mark in &decided.changed {
-            let words = self.run.marked(&mark.words(&report.mark));
-            match counts.iter_mut().find(|(own, _)| *own == words) {
-                Some((_, count)) => *count += 1,
-                None => counts.push((words, 1)),
-            }
-        }
-        counts.sort_by_key(|(_, count)| std::cmp::Reverse(*count));
-        let more = counts.len().saturating_sub(MAX_CHANGES);
-        counts.truncate(MAX_CHANGES);
-        DecidedView {
-            place: &decided.place,
-            subject: quoted::pieces(&decided.subject),
-            words: quoted::pieces(&decided.words),
-            who: &decided.who,
-            why: &decided.why,
-            times: decided.changed.len(),
-            changes: counts
-                .into_iter()
-                .map(|(words, count)| format!("{count}× {words}"))
-                .collect(),
-            more: match more {
-                0 => String::new(),
-                more => filled(&report.other_changes, &[("count", &more.to_string())]),
-            },
+fn decided<'a>(pages: &Pages, decided: &'a Decided) -> DecidedView<'a> {
+    let report = &pages.run.words.report;
+    let mut counts: Vec<(String, usize)> = Vec::new();
+    for mark in &decided.changed {
+        let words = pages.run.marked(&mark.words(&report.mark));
+        match counts.iter_mut().find(|(own, _)| *own == words) {
+            Some((_, count)) => *count += 1,
+            None => counts.push((words, 1)),
         }
     }
-
-    /// Numbers about all sheets, each with its name.
-    fn facts(&self, summary: &Summary) -> Vec<[String; 2]> {
-        let words = &self.run.words.report;
-        let mut facts = Vec::new();
-        let mut fact = |name: &str, value: String| facts.push([name.to_owned(), value]);
-        let percents = |ends: [f64; 2]| {
-            let [from, to] = ends.map(percent);
-            filled(&words.to, &[("from", &from), ("to", &to)])
-        };
-        if let Some(shares) = &summary.shares {
-            fact(&words.mean, percent(shares.mean));
-            if let Some(deviation) = shares.deviation {
-                fact(&words.standard_deviation, percent(deviation));
-            }
-            fact(&words.median, percent(shares.median));
-            let quartiles = [shares.lower_quartile, shares.upper_quartile];
-            fact(&words.middle_half, percents(quartiles));
-            fact(&words.range, percents([shares.lowest, shares.highest]));
-        }
-        let reliability = summary.reliability;
-        let reliability = reliability.map(|alpha| self.run.marked(&signed(alpha)));
-        let none = || words.no_reliability.clone();
-        fact(&words.reliability, reliability.unwrap_or_else(none));
-        if summary.undecided > 0 {
-            let [count, all] = [summary.undecided, summary.sheets].map(|own| own.to_string());
-            let sheets = filled(&words.left_out, &[("count", &count), ("all", &all)]);
-            fact(&words.not_decided, sheets);
-        }
-        if let Some(error) = summary.measurement_error {
-            let points = self.run.marked(&format!("{error:.1}"));
-            fact(&words.error, self.run.words.points(&points, false));
-        }
-        facts
+    counts.sort_by_key(|(_, count)| std::cmp::Reverse(*count));
+    let more = counts.len().saturating_sub(MAX_CHANGES);
+    counts.truncate(MAX_CHANGES);
+    DecidedView {
+        place: &decided.place,
+        subject: quoted::pieces(&decided.subject),
+        words: quoted::pieces(&decided.words),
+        who: &decided.who,
+        why: &decided.why,
+        times: decided.changed.len(),
+        changes: counts
+            .into_iter()
+            .map(|(words, count)| format!("{count}× {words}"))
+            .collect(),
+        more: match more {
+            0 => String::new(),
+            more => filled(&report.other_changes, &[("count", &more.to_string())]),
+        },
     }
+}
 
-    fn part<'a>(&'a self, part: &'a PartSummary) -> ReportPartView<'a> {
-        let words = &self.run.words.report;
-        let counts = [
-            ("right", &*words.right, part.right),
-            ("partial", &words.partial, part.partial),
-            ("wrong", &words.wrong, part.wrong),
-            ("unreadable", &words.unreadable, part.unreadable),
-            ("missing", &words.missing, part.missing),
-        ];
-        let mut x = 0.0;
-        let pieces =
-            counts
-                .into_iter()
-                .filter(|(_, _, count)| *count > 0)
-                .map(|(verdict, words, count)| {
-                    let width = (count as f64 / part.asked as f64 * 1000.0).round() / 10.0;
-                    let piece = ReportPiece {
-                        verdict,
-                        words,
-                        x,
-                        width,
-                        count,
-                    };
-                    x += width;
-                    piece
-                });
-        let none = || "–".to_owned();
-        let discrimination = part.discrimination.map(|own| self.run.marked(&signed(own)));
-        ReportPartView {
-            places: part.places.join(", "),
-            item: &part.item,
-            part: &part.part,
-            title: &part.title,
-            asked: part.asked,
-            pieces: pieces.collect(),
-            facility: part.facility.map_or_else(none, percent),
-            discrimination: discrimination.unwrap_or_else(none),
-            hint: hint(part, words),
-            follow_through: match part.follow_through {
-                0 => String::new(),
-                count => filled(&words.follow_through, &[("count", &count.to_string())]),
-            },
-            mistakes: part.mistakes.iter().map(|own| self.counted(own)).collect(),
-            others: &part.others,
+/// Numbers about all sheets, each with its name.
+fn facts(pages: &Pages, summary: &Summary) -> Vec<[String; 2]> {
+    let words = &pages.run.words.report;
+    let mut facts = Vec::new();
+    let mut fact = |name: &str, value: String| facts.push([name.to_owned(), value]);
+    let percents = |ends: [f64; 2]| {
+        let [from, to] = ends.map(percent);
+        filled(&words.to, &[("from", &from), ("to", &to)])
+    };
+    if let Some(shares) = &summary.shares {
+        fact(&words.mean, percent(shares.mean));
+        if let Some(deviation) = shares.deviation {
+            fact(&words.standard_deviation, percent(deviation));
         }
+        fact(&words.median, percent(shares.median));
+        let quartiles = [shares.lower_quartile, shares.upper_quartile];
+        fact(&words.middle_half, percents(quartiles));
+        fact(&words.range, percents([shares.lowest, shares.highest]));
     }
+    let reliability = summary.reliability;
+    let reliability = reliability.map(|alpha| pages.run.marked(&signed(alpha)));
+    let none = || words.no_reliability.clone();
+    fact(&words.reliability, reliability.unwrap_or_else(none));
+    if summary.undecided > 0 {
+        let [count, all] = [summary.undecided, summary.sheets].map(|own| own.to_string());
+        let sheets = filled(&words.left_out, &[("count", &count), ("all", &all)]);
+        fact(&words.not_decided, sheets);
+    }
+    if let Some(error) = summary.measurement_error {
+        let points = pages.run.marked(&format!("{error:.1}"));
+        fact(&words.error, pages.run.words.points(&points, false));
+    }
+    facts
+}
 
-    /// A mistake in the words of its item, a slip in the language of the page.
-    fn counted(&self, mistake: &Mistake) -> Counted {
-        let slip = self.run.spoken().slip(&mistake.code);
-        Counted {
-            what: slip.unwrap_or(&mistake.what).to_owned(),
-            count: mistake.count,
-        }
+fn part<'a>(pages: &'a Pages, part: &'a PartSummary) -> ReportPartView<'a> {
+    let words = &pages.run.words.report;
+    let counts = [
+        ("right", &*words.right, part.right),
+        ("partial", &words.partial, part.partial),
+        ("wrong", &words.wrong, part.wrong),
+        ("unreadable", &words.unreadable, part.unreadable),
+        ("missing", &words.missing, part.missing),
+    ];
+    let mut x = 0.0;
+    let pieces =
+        counts
+            .into_iter()
+            .filter(|(_, _, count)| *count > 0)
+            .map(|(verdict, words, count)| {
+                let width = (count as f64 / part.asked as f64 * 1000.0).round() / 10.0;
+                let piece = ReportPiece {
+                    verdict,
+                    words,
+                    x,
+                    width,
+                    count,
+                };
+                x += width;
+                piece
+            });
+    let none = || "–".to_owned();
+    let discrimination = part
+        .discrimination
+        .map(|own| pages.run.marked(&signed(own)));
+    ReportPartView {
+        places: part.places.join(", "),
+        item: &part.item,
+        part: &part.part,
+        title: &part.title,
+        asked: part.asked,
+        pieces: pieces.collect(),
+        facility: part.facility.map_or_else(none, percent),
+        discrimination: discrimination.unwrap_or_else(none),
+        hint: hint(part, words),
+        follow_through: match part.follow_through {
+            0 => String::new(),
+            count => filled(&words.follow_through, &[("count", &count.to_string())]),
+        },
+        mistakes: part
+            .mistakes
+            .iter()
+            .map(|own| counted(pages, own))
+            .collect(),
+        others: &part.others,
+    }
+}
+
+/// A mistake in the words of its item, a slip in the language of the page.
+fn counted(pages: &Pages, mistake: &Mistake) -> Counted {
+    let slip = pages.run.spoken().slip(&mistake.code);
+    Counted {
+        what: slip.unwrap_or(&mistake.what).to_owned(),
+        count: mistake.count,
     }
 }
 

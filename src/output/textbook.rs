@@ -8,7 +8,7 @@ use serde::Serialize;
 
 use super::chapter::{self, ChapterError, ChapterPiece};
 use super::layouts::OutputError;
-use super::pages::{PageKind, Pages};
+use super::pages::{PageKind, Pages, Run};
 use super::view::{QuestionView, View};
 use crate::bank::{Catalogue, Space, Template};
 use crate::document::{Block, Document, Filling, Inline, TextError};
@@ -64,143 +64,141 @@ struct PieceView {
 }
 
 #[derive(Serialize)]
-struct Content<'a> {
-    run: &'a super::Run,
+struct CoursePage<'a> {
+    run: &'a Run,
     chapters: Vec<ChapterView>,
 }
 
-impl Pages {
-    /// The chapters of a course, each a text, as the body of one file.
-    ///
-    /// # Errors
-    ///
-    /// [`TextbookError`], with the place of the chapter.
-    pub fn textbook(
-        &self,
-        chapters: &[&str],
-        catalogue: &Catalogue,
-    ) -> Result<String, (usize, TextbookError)> {
-        let chapters = chapters.iter().enumerate();
-        let chapters = chapters
-            .map(|(place, text)| {
-                let chapter = self.chapter(text, catalogue);
-                chapter.map_err(|error| (place, error))
-            })
-            .collect::<Result<_, _>>()?;
-        let content = Content {
-            run: &self.run,
-            chapters,
-        };
-        let filled = self.layouts.fill("course", &content);
-        filled.map_err(|error| (0, error.into()))
-    }
+/// The chapters of a course, each a text, as the body of one file.
+///
+/// # Errors
+///
+/// [`TextbookError`], with the place of the chapter.
+pub fn textbook_body(
+    pages: &Pages,
+    chapters: &[&str],
+    catalogue: &Catalogue,
+) -> Result<String, (usize, TextbookError)> {
+    let chapters = chapters.iter().enumerate();
+    let chapters = chapters
+        .map(|(place, text)| {
+            let chapter = chapter(pages, text, catalogue);
+            chapter.map_err(|error| (place, error))
+        })
+        .collect::<Result<_, _>>()?;
+    let content = CoursePage {
+        run: &pages.run,
+        chapters,
+    };
+    let filled = pages.layouts.fill("course", &content);
+    filled.map_err(|error| (0, error.into()))
+}
 
-    fn chapter(&self, text: &str, catalogue: &Catalogue) -> Result<ChapterView, TextbookError> {
-        let mut title = String::new();
-        let (mut pieces, mut examples) = (Vec::new(), 0);
-        for (line, piece) in chapter::pieces(text)? {
-            let view = match piece {
-                ChapterPiece::Heading(1, text) => {
-                    title = self.line(line, text)?;
-                    continue;
-                }
-                ChapterPiece::Heading(level, text) => PieceView {
-                    level: Some(level),
-                    text: self.line(line, text)?,
+fn chapter(pages: &Pages, text: &str, catalogue: &Catalogue) -> Result<ChapterView, TextbookError> {
+    let mut title = String::new();
+    let (mut pieces, mut examples) = (Vec::new(), 0);
+    for (line, piece) in chapter::pieces(text)? {
+        let view = match piece {
+            ChapterPiece::Heading(1, text) => {
+                title = on_one_line(pages, line, text)?;
+                continue;
+            }
+            ChapterPiece::Heading(level, text) => PieceView {
+                level: Some(level),
+                text: on_one_line(pages, line, text)?,
+                ..PieceView::default()
+            },
+            ChapterPiece::Text(text) => PieceView {
+                text: set(pages, line, text)?,
+                ..PieceView::default()
+            },
+            ChapterPiece::Picture { item, plot, words } => {
+                let template = known(catalogue, line, item)?;
+                let id = pages
+                    .writer
+                    .line(&Document::sentence(&format!("`{item}`")), pages.run.voice());
+                PieceView {
+                    picture: picture(pages, line, template, plot)?,
+                    text: format!("{} ({id})", on_one_line(pages, line, words)?),
                     ..PieceView::default()
-                },
-                ChapterPiece::Text(text) => PieceView {
-                    text: self.set(line, text)?,
+                }
+            }
+            ChapterPiece::Example(item) => {
+                examples += 1;
+                PieceView {
+                    question: Some(example(pages, examples, known(catalogue, line, item)?)),
                     ..PieceView::default()
-                },
-                ChapterPiece::Picture { item, plot, words } => {
-                    let template = known(catalogue, line, item)?;
-                    let id = self
-                        .writer
-                        .line(&Document::sentence(&format!("`{item}`")), self.run.voice());
-                    PieceView {
-                        picture: self.picture(line, template, plot)?,
-                        text: format!("{} ({id})", self.line(line, words)?),
-                        ..PieceView::default()
-                    }
                 }
-                ChapterPiece::Example(item) => {
-                    examples += 1;
-                    PieceView {
-                        question: Some(self.example(examples, known(catalogue, line, item)?)),
-                        ..PieceView::default()
-                    }
-                }
-            };
-            pieces.push(view);
+            }
+        };
+        pieces.push(view);
+    }
+    Ok(ChapterView { title, pieces })
+}
+
+/// A text of some blocks, written.
+fn set(pages: &Pages, line: usize, text: &str) -> Result<String, TextbookError> {
+    let document = read(line, text)?;
+    let shown = crate::scene::Shown {
+        document: Cow::Borrowed(&document),
+        fillings: Vec::<Filling>::new(),
+    };
+    Ok(pages.writer.texts(&[shown], pages.run.voice()))
+}
+
+/// Words on one line, or a heading without its rank, written.
+fn on_one_line(pages: &Pages, line: usize, words: &str) -> Result<String, TextbookError> {
+    let mut blocks = read(line, words)?.blocks().to_vec();
+    for block in &mut blocks {
+        if let Block::Heading { content, .. } = block {
+            *block = Block::Paragraph(std::mem::take(content));
         }
-        Ok(ChapterView { title, pieces })
     }
+    Ok(pages
+        .writer
+        .line(&Document::of(blocks, Vec::new()), pages.run.voice()))
+}
 
-    /// A text of some blocks, written.
-    fn set(&self, line: usize, text: &str) -> Result<String, TextbookError> {
-        let document = read(line, text)?;
-        let shown = crate::scene::Shown {
-            document: Cow::Borrowed(&document),
-            fillings: Vec::<Filling>::new(),
-        };
-        Ok(self.writer.texts(&[shown], self.run.voice()))
-    }
-
-    /// Words on one line, or a heading without its rank, written.
-    fn line(&self, line: usize, words: &str) -> Result<String, TextbookError> {
-        let mut blocks = read(line, words)?.blocks().to_vec();
-        for block in &mut blocks {
-            if let Block::Heading { content, .. } = block {
-                *block = Block::Paragraph(std::mem::take(content));
-            }
+fn picture(
+    pages: &Pages,
+    line: usize,
+    template: &Template,
+    plot: Option<&str>,
+) -> Result<String, TextbookError> {
+    let solution = Solution::of(Instance::of_source(template));
+    let scene = Scene::of(&solution, Data::Both).spoken(pages.run.spoken());
+    let fail = |message: String| TextbookError::Line { line, message };
+    let svg = match plot {
+        Some(name) => {
+            let picture = scene.plot(name);
+            let picture = picture.map_err(|error: Undrawn| fail(error.to_string()))?;
+            picture.svg("plot", &pages.run.spoken())
         }
-        Ok(self
-            .writer
-            .line(&Document::of(blocks, Vec::new()), self.run.voice()))
-    }
+        None => {
+            let picture = scene.picture();
+            let missing = || fail(format!("`{}` has no figure", template.id));
+            picture.ok_or_else(missing)?.svg.clone()
+        }
+    };
+    Ok(pages.writer.figure(&svg))
+}
 
-    fn picture(
-        &self,
-        line: usize,
-        template: &Template,
-        plot: Option<&str>,
-    ) -> Result<String, TextbookError> {
-        let solution = Solution::of(Instance::of_source(template));
-        let scene = Scene::of(&solution, Data::Both).spoken(self.run.spoken());
-        let fail = |message: String| TextbookError::Line { line, message };
-        let svg = match plot {
-            Some(name) => {
-                let picture = scene.plot(name);
-                let picture = picture.map_err(|error: Undrawn| fail(error.to_string()))?;
-                picture.svg("plot", &self.run.spoken())
-            }
-            None => {
-                let picture = scene.picture();
-                let missing = || fail(format!("`{}` has no figure", template.id));
-                picture.ok_or_else(missing)?.svg.clone()
-            }
-        };
-        Ok(self.writer.figure(&svg))
-    }
-
-    /// An item with the data of its file and its worked solution.
-    fn example(&self, number: usize, template: &Template) -> QuestionView {
-        let solution = Solution::of(Instance::of_source(template));
-        let parts = (0..template.parts.len()).filter(|place| solution.asks(*place));
-        let parts: Vec<usize> = parts.collect();
-        let question = SheetQuestion {
-            number,
-            place: number,
-            points: vec![Rational::ZERO; parts.len()],
-            spaces: vec![Space::None; parts.len()],
-            bonus: false,
-            section: String::new(),
-            parts,
-            solution,
-        };
-        View::new(self.writer, &self.run, PageKind::Solutions).example(&question)
-    }
+/// An item with the data of its file and its worked solution.
+fn example(pages: &Pages, number: usize, template: &Template) -> QuestionView {
+    let solution = Solution::of(Instance::of_source(template));
+    let parts = (0..template.parts.len()).filter(|place| solution.asks(*place));
+    let parts: Vec<usize> = parts.collect();
+    let question = SheetQuestion {
+        number,
+        place: number,
+        points: vec![Rational::ZERO; parts.len()],
+        spaces: vec![Space::None; parts.len()],
+        bonus: false,
+        section: String::new(),
+        parts,
+        solution,
+    };
+    View::new(pages.writer, &pages.run, PageKind::Solutions).example(&question)
 }
 
 fn known<'c>(

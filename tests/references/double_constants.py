@@ -26,9 +26,8 @@ def pair(x):
     return f"Dd::from_bits({bits(hi)}, {bits(lo)})"
 
 
-def constant(doc, name, x):
-    print(f"    /// {doc}")
-    print(f"    pub const {name}: Self = {pair(x)};")
+def constant(name, x):
+    print(f"pub(crate) const {name}: Dd = {pair(x)};")
 
 
 def split(x, widths):
@@ -46,38 +45,36 @@ print("//! Constants of double-double arithmetic, printed by `tests/references/d
 print()
 print("use super::Dd;")
 print()
-print("impl Dd {")
-constant("The circle constant π.", "PI", pi)
-constant("A full turn, 2π.", "TAU", 2 * pi)
-constant("A right angle, π/2.", "FRAC_PI_2", pi / 2)
-constant("Half a right angle, π/4.", "FRAC_PI_4", pi / 4)
-constant("Euler's number e.", "E", e)
-constant("The natural logarithm of 2.", "LN_2", log(2))
-constant("The natural logarithm of 10.", "LN_10", log(10))
-constant("The square root of 2.", "SQRT_2", sqrt(2))
-print("}")
+constant("PI", pi)
+constant("TAU", 2 * pi)
+constant("FRAC_PI_2", pi / 2)
+constant("FRAC_PI_4", pi / 4)
+constant("E", e)
+constant("LN_2", log(2))
+constant("LN_10", log(10))
+constant("SQRT_2", sqrt(2))
 print()
 parts, rest = split(log(2), [40, 40])
 print("/// The two leading parts of ln 2 with 40 bits each: their products with an exponent are exact.")
-print("pub(super) const LN_2_PARTS: [f64; 2] = [")
+print("pub(crate) const LN_2_PARTS: [f64; 2] = [")
 for part in parts:
     print(f"    f64::from_bits({bits(part)}),")
 print("];")
 print()
 print("/// What the two parts leave of ln 2.")
-print(f"pub(super) const LN_2_REST: Dd = {pair(rest)};")
+print(f"pub(crate) const LN_2_REST: Dd = {pair(rest)};")
 print()
 print("/// The reciprocals of the factorials, 1/n! for n = 0, 1, ..., 30.")
-print("pub(super) const INVERSE_FACTORIALS: [Dd; 31] = [")
+print("pub(crate) const INVERSE_FACTORIALS: [Dd; 31] = [")
 for n in range(31):
     print(f"    {pair(1 / factorial(n))},")
 print("];")
 print()
 print("/// Where zero stands in the table of exponentials.")
-print("pub(super) const EXPM1_OF_32NDS_CENTRE: f64 = 12.0;")
+print("pub(crate) const EXPM1_OF_32NDS_CENTRE: f64 = 12.0;")
 print()
 print("/// e^(j/32) - 1 for j = -12, -11, ..., 12.")
-print("pub(super) const EXPM1_OF_32NDS: [Dd; 25] = [")
+print("pub(crate) const EXPM1_OF_32NDS: [Dd; 25] = [")
 for j in range(-12, 13):
     print(f"    {pair(expm1(mpf(j) / 32))},")
 print("];")
@@ -85,7 +82,7 @@ print()
 words = 23
 scaled = int(floor(2 / pi * mpf(2) ** (64 * words)))
 print("/// The binary fraction of 2/π, 64 bits a word, the leading word first.")
-print(f"pub(super) const TWO_OVER_PI: [u64; {words}] = [")
+print(f"pub(crate) const TWO_OVER_PI: [u64; {words}] = [")
 for i in range(words):
     print(f"    {word((scaled >> (64 * (words - 1 - i))) & (2**64 - 1))},")
 print("];")

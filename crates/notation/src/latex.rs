@@ -7,23 +7,14 @@ use super::script::Bearer;
 use super::sign::greek_name;
 use super::{Accent, Class, Empty, Holes, Math, Sign, Size, Style, TableKind};
 
-impl Math {
-    /// As LaTeX source, without dollar signs.
-    pub fn latex(&self) -> String {
-        let mut out = String::new();
-        self.write_latex(&mut out, &Empty);
-        out
+/// Appends LaTeX source, without dollar signs.
+pub(crate) fn write(math: &Math, out: &mut String, holes: &dyn Holes) {
+    LatexWriter {
+        out,
+        holes,
+        after_word: false,
     }
-
-    /// Appends LaTeX source, without dollar signs.
-    pub fn write_latex(&self, out: &mut String, holes: &dyn Holes) {
-        LatexWriter {
-            out,
-            holes,
-            after_word: false,
-        }
-        .math(self);
-    }
+    .math(math);
 }
 
 /// Functions that have a command of their own.

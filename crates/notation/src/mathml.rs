@@ -7,7 +7,7 @@ use std::fmt::Write;
 
 use super::alphabet::styled;
 use super::script::Bearer;
-use super::{Accent, Atom, Class, Empty, Holes, Math, Size, Style, TableKind, Voice};
+use super::{Accent, Atom, Class, Empty, Holes, Math, Size, Style, TableKind, Voice, spoken};
 
 /// Whether a formula stands in a line or on its own.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -40,72 +40,52 @@ math .aligned mtd:nth-child(odd):not(:first-child){padding-left:2em}\
 .steps>math>mrow:last-child{justify-self:start}\
 @media screen and (max-width:36em){.steps{margin-left:0;overflow-x:auto;overflow-y:hidden}}";
 
-impl Math {
-    /// As a `math` element.
-    pub fn mathml(&self, display: Display, voice: &'static Voice) -> String {
-        let mut out = String::new();
-        self.write_mathml(&mut out, display, &Empty, voice);
-        out
+/// Appends a `math` element with its words as `alttext`.
+pub(crate) fn write(
+    math: &Math,
+    out: &mut String,
+    display: Display,
+    holes: &dyn Holes,
+    voice: &'static Voice,
+) {
+    out.push_str("<math");
+    if display == Display::Block {
+        out.push_str(" display=\"block\"");
     }
+    out.push_str(" alttext=\"");
+    let words = out.len();
+    spoken::write(math, out, holes, voice);
+    escape_from(out, words);
+    out.push_str("\">");
+    MathmlWriter::new(out, holes).math(math);
+    out.push_str("</math>");
+}
 
-    /// Appends a line of a derivation, `left` and a relation with what follows, as one `math` element whose two halves
-    /// the style sheet aligns with those of the lines around it.
-    pub fn write_mathml_line(
-        out: &mut String,
-        left: &Math,
-        right: &Math,
-        holes: &dyn Holes,
-        voice: &'static Voice,
-    ) {
-        out.push_str("<math display=\"block\" alttext=\"");
-        let words = out.len();
-        left.write_spoken(out, holes, voice);
-        if out.len() > words {
-            out.push(' ');
-        }
-        right.write_spoken(out, holes, voice);
-        escape_from(out, words);
-        out.push_str("\">");
-        let mut writer = MathmlWriter {
-            out,
-            holes,
-            before: Atom::Edge,
-            in_script: false,
-        };
-        for half in [left, right] {
-            writer.out.push_str("<mrow>");
-            writer.math(half);
-            writer.out.push_str("</mrow>");
-        }
-        out.push_str("</math>");
+/// Appends a line of a derivation, `left` and a relation with what follows, as one `math` element whose two halves
+/// the style sheet aligns with those of the lines around it.
+pub fn write_line(
+    out: &mut String,
+    left: &Math,
+    right: &Math,
+    holes: &dyn Holes,
+    voice: &'static Voice,
+) {
+    out.push_str("<math display=\"block\" alttext=\"");
+    let words = out.len();
+    spoken::write(left, out, holes, voice);
+    if out.len() > words {
+        out.push(' ');
     }
-
-    /// Appends a `math` element with its words as `alttext`.
-    pub fn write_mathml(
-        &self,
-        out: &mut String,
-        display: Display,
-        holes: &dyn Holes,
-        voice: &'static Voice,
-    ) {
-        out.push_str("<math");
-        if display == Display::Block {
-            out.push_str(" display=\"block\"");
-        }
-        out.push_str(" alttext=\"");
-        let words = out.len();
-        self.write_spoken(out, holes, voice);
-        escape_from(out, words);
-        out.push_str("\">");
-        let mut writer = MathmlWriter {
-            out,
-            holes,
-            before: Atom::Edge,
-            in_script: false,
-        };
-        writer.math(self);
-        writer.out.push_str("</math>");
+    spoken::write(right, out, holes, voice);
+    escape_from(out, words);
+    out.push_str("\">");
+    let mut writer = MathmlWriter::new(out, holes);
+    for half in [left, right] {
+        writer.out.push_str("<mrow>");
+        writer.math(half);
+        writer.out.push_str("</mrow>");
     }
+    out.push_str("</math>");
 }
 
 /// Appends text as HTML content or attribute value.
@@ -146,7 +126,17 @@ struct MathmlWriter<'a> {
     in_script: bool,
 }
 
-impl MathmlWriter<'_> {
+impl<'a> MathmlWriter<'a> {
+    /// A writer at the start of a row.
+    fn new(out: &'a mut String, holes: &'a dyn Holes) -> Self {
+        Self {
+            out,
+            holes,
+            before: Atom::Edge,
+            in_script: false,
+        }
+    }
+
     /// The pieces of a tree, in the row that is open.
     fn math(&mut self, math: &Math) {
         match math {

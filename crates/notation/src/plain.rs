@@ -3,28 +3,19 @@
 use super::script::Bearer;
 use super::{Accent, Class, Empty, Holes, Math, TableKind};
 
-impl Math {
-    /// As a line of Unicode text: `ωₙ = √(k/m)`, `ω_d` where there is no such letter.
-    pub fn plain(&self) -> String {
-        let mut out = String::new();
-        self.write_plain(&mut out, &Empty);
-        out
-    }
-
-    /// Appends a line of Unicode text.
-    pub fn write_plain(&self, out: &mut String, holes: &dyn Holes) {
-        let start = out.len();
-        let mut writer = PlainWriter {
-            out,
-            holes,
-            start,
-            ends_loosely: false,
-            after_fraction: false,
-        };
-        writer.math(self);
-        let end = out.trim_end_matches(' ').len().max(start);
-        out.truncate(end);
-    }
+/// Appends a line of Unicode text.
+pub(crate) fn write(math: &Math, out: &mut String, holes: &dyn Holes) {
+    let start = out.len();
+    let mut writer = PlainWriter {
+        out,
+        holes,
+        start,
+        ends_loosely: false,
+        after_fraction: false,
+    };
+    writer.math(math);
+    let end = out.trim_end_matches(' ').len().max(start);
+    out.truncate(end);
 }
 
 struct PlainWriter<'a> {

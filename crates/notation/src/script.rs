@@ -54,13 +54,3 @@ impl<'a> Bearer<'a> {
         }
     }
 }
-
-impl Math {
-    /// This tree, or what fills it if it is a hole.
-    pub fn filled<'a>(&'a self, holes: &'a dyn Holes) -> &'a Self {
-        match self {
-            Self::Hole(hole) => holes.filling(*hole).unwrap_or(self),
-            tree => tree,
-        }
-    }
-}

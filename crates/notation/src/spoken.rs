@@ -5,25 +5,16 @@ use super::sign::greek_name;
 use super::{Accent, Class, Empty, Holes, Math, Sign, Style, TableKind, Voice};
 use vibank_source::is_capital;
 
-impl Math {
-    /// As words: `omega sub n equals the square root of k over m end root`.
-    pub fn spoken(&self, voice: &'static Voice) -> String {
-        let mut out = String::new();
-        self.write_spoken(&mut out, &Empty, voice);
-        out
-    }
-
-    /// Appends the words.
-    pub fn write_spoken(&self, out: &mut String, holes: &dyn Holes, voice: &'static Voice) {
-        let start = out.len();
-        let mut writer = SpokenWriter {
-            out,
-            holes,
-            voice,
-            start,
-        };
-        writer.math(self);
-    }
+/// Appends the words.
+pub(crate) fn write(math: &Math, out: &mut String, holes: &dyn Holes, voice: &'static Voice) {
+    let start = out.len();
+    let mut writer = SpokenWriter {
+        out,
+        holes,
+        voice,
+        start,
+    };
+    writer.math(math);
 }
 
 struct SpokenWriter<'a> {

@@ -7,7 +7,7 @@
 use std::fmt::Write;
 
 use super::script::Bearer;
-use super::{Accent, Class, Display, Empty, Holes, Math, Size, Style, TableKind, Voice};
+use super::{Accent, Class, Display, Empty, Holes, Math, Size, Style, TableKind, Voice, spoken};
 
 /// What a Typst file defines before the formulas that are written here: `m`, `sm`, `dm` and `lm` set a
 /// formula in a line, one so short that no line ends in it, one on its own, and one on its own that is
@@ -40,41 +40,32 @@ const SHORT: usize = 80;
 /// Bytes of a formula that may be wider than a page; to measure one takes as long as to set it.
 const LONG: usize = 200;
 
-impl Math {
-    /// As Typst markup that sets the formula, for a file that begins with [`PRELUDE`].
-    pub fn typst(&self, display: Display, voice: &'static Voice) -> String {
-        let mut out = String::new();
-        self.write_typst(&mut out, display, &Empty, voice);
-        out
+/// Appends Typst markup that sets the formula.
+pub(crate) fn write(
+    math: &Math,
+    out: &mut String,
+    display: Display,
+    holes: &dyn Holes,
+    voice: &'static Voice,
+) {
+    let mut body = String::new();
+    TypstWriter {
+        out: &mut body,
+        holes,
     }
-
-    /// Appends Typst markup that sets the formula.
-    pub fn write_typst(
-        &self,
-        out: &mut String,
-        display: Display,
-        holes: &dyn Holes,
-        voice: &'static Voice,
-    ) {
-        let mut body = String::new();
-        TypstWriter {
-            out: &mut body,
-            holes,
-        }
-        .math(self);
-        out.push_str(match display {
-            Display::Inline if body.len() <= SHORT => "#sm(",
-            Display::Inline => "#m(",
-            Display::Block if body.len() <= LONG => "#dm(",
-            Display::Block => "#lm(",
-        });
-        let mut words = String::new();
-        self.write_spoken(&mut words, holes, voice);
-        quote(out, &words);
-        out.push_str(",$");
-        out.push_str(&body);
-        out.push_str("$)");
-    }
+    .math(math);
+    out.push_str(match display {
+        Display::Inline if body.len() <= SHORT => "#sm(",
+        Display::Inline => "#m(",
+        Display::Block if body.len() <= LONG => "#dm(",
+        Display::Block => "#lm(",
+    });
+    let mut words = String::new();
+    spoken::write(math, &mut words, holes, voice);
+    quote(out, &words);
+    out.push_str(",$");
+    out.push_str(&body);
+    out.push_str("$)");
 }
 
 /// Appends a string of Typst's code mode that is this text.

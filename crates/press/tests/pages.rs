@@ -75,13 +75,13 @@ fn sheets_are_tagged_pdf_of_the_same_bytes() {
     let mut table = KeyTable::default();
     for index in 0..3 {
         let sheet = Sheet::draw(&plan, plan.variant(index, 0), None).expect("it can be drawn");
-        table.add(pages.key_row(&sheet));
+        table.add(output::key_row(&pages, &sheet));
     }
     let text = [
         pages
             .begin("answers of all variants")
             .expect("the layout is sound"),
-        pages.key_table(&table).expect("the layout is sound"),
+        output::key_table_page(&pages, &table).expect("the layout is sound"),
         pages.end().expect("the layout is sound"),
     ];
     assert!(bound(text.concat()).is_ok());
@@ -190,7 +190,7 @@ fn a_file_for_the_printer_is_accessible_and_each_sheet_has_an_even_number_of_pag
     let simplex = file(&texts, false);
     assert_eq!(pages_of(&simplex), alone.iter().sum::<usize>());
     let section = &Order::Seat.sections(&students, codes.len())[0];
-    let separator = pages.separator(section, roll).expect("the layout is sound");
+    let separator = output::separator_page(&pages, section, roll).expect("the layout is sound");
     let all: Vec<String> = std::iter::once(separator).chain(texts).collect();
     let duplex = file(&all, true);
     is_accessible(&duplex);
@@ -201,9 +201,7 @@ fn a_file_for_the_printer_is_accessible_and_each_sheet_has_an_even_number_of_pag
         let begin = pages
             .begin(pages.list_title(list))
             .expect("the layout is sound");
-        let page = pages
-            .list(list, &sections, roll)
-            .expect("the layout is sound");
+        let page = output::list_page(&pages, list, &sections, roll).expect("the layout is sound");
         let end = pages.end().expect("the layout is sound");
         let bytes = bound(format!("{begin}{page}{end}"));
         let bytes = bytes.unwrap_or_else(|error| panic!("{error}"));
@@ -292,7 +290,7 @@ fn nothing_typed_is_read_as_markup() {
     let pages_of = |format| {
         let pages = pages(&blueprint, format);
         let begin = pages.begin("feedback").expect("the layout is sound");
-        let page = pages.feedback(&feedback).expect("the layout is sound");
+        let page = output::feedback_page(&pages, &feedback).expect("the layout is sound");
         let end = pages.end().expect("the layout is sound");
         (format!("{begin}{page}{end}"), pages)
     };

@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use serde_json::json;
 use vibank::answer::Verdict;
-use vibank::output::Analysed;
+use vibank::output::{Analysed, report_page};
 use vibank::report::{Observation, PartSummary, Report};
 
 use super::items::Items;
@@ -163,9 +163,7 @@ impl Analysis {
             marks: findings.marks,
             decided: findings.decided,
         };
-        let page = layout
-            .pages
-            .report(&analysed)
+        let page = report_page(&layout.pages, &analysed)
             .map_err(|error| Failure::new(error.to_string()))?;
         let begin = layout
             .pages

@@ -56,7 +56,7 @@ impl Layout {
 
     /// The file with the feedback on a sheet, or why it could not be printed.
     pub(crate) fn file(&self, feedback: &Feedback) -> Result<Printed, Failure> {
-        let page = self.pages.feedback(feedback);
+        let page = output::feedback_page(&self.pages, feedback);
         let page = page.map_err(|error| Failure::new(error.to_string()))?;
         let text = format!("{}{page}{}", self.begin, self.end);
         Ok(match &self.press {

@@ -158,7 +158,10 @@ impl Format {
             Self::Workbook(None) => return Ok(WrittenSheet::Nothing),
             Self::Pages(laid) => laid,
         };
-        let row = laid.table.as_ref().map(|_| laid.pages.key_row(sheet));
+        let row = laid
+            .table
+            .as_ref()
+            .map(|_| output::key_row(&laid.pages, sheet));
         if is_kept && laid.is_split {
             return Ok(WrittenSheet::Kept(row));
         }

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::path::Path;
 
 use rayon::prelude::*;
-use vibank::output::{KeyTable, PageKind};
+use vibank::output::{KeyTable, PageKind, fairness_page, key_table_page};
 use vibank::worksheet::{Fairness, Plan, VariantEntry};
 
 use super::format::{Format, Laid, UNPRINTED, WrittenSheet, unfilled};
@@ -27,7 +27,7 @@ pub(crate) fn write_fairness(
     let name = if is_markdown { "md" } else { "html" };
     let laid = Laid::of(name, plan, None, &[], layouts, true)?;
     let what = "how alike the variants are";
-    let page = laid.pages.fairness(fairness).map_err(unfilled)?;
+    let page = fairness_page(&laid.pages, fairness).map_err(unfilled)?;
     let subtitle = laid.pages.fairness_subtitle();
     let begin = laid.pages.begin(subtitle).map_err(unfilled)?;
     let whole = format!("{begin}{page}{}", laid.end);
@@ -158,7 +158,7 @@ impl<'f> Outputs<'f> {
                 ..
             } = files
             {
-                let page = laid.pages.key_table(collected).map_err(unfilled)?;
+                let page = key_table_page(&laid.pages, collected).map_err(unfilled)?;
                 stream.draft.write(page.as_bytes())?;
                 if laid.pages.writer().is_bound() {
                     stream.draft.write(PIECE_END.as_bytes())?;

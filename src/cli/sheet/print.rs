@@ -6,7 +6,7 @@
 use std::collections::BTreeMap;
 
 use rayon::prelude::*;
-use vibank::output::{List, PageKind, Roll};
+use vibank::output::{List, PageKind, Roll, list_page, separator_page};
 use vibank::seed::Variant;
 use vibank::worksheet::{Order, Plan, Printing, Section, Sheet, Student};
 
@@ -160,7 +160,7 @@ impl PrintJob<'_, '_> {
     fn leaf(&self, laid: &Laid, leaf: Leaf<'_>, roll: Roll<'_>) -> Result<String, Failure> {
         let pages = &laid.pages;
         let text = match leaf {
-            Leaf::Separator(section) => pages.separator(section, roll),
+            Leaf::Separator(section) => separator_page(pages, section, roll),
             Leaf::Sheet(place) => {
                 let student = self.students.get(place).cloned();
                 let sheet = Sheet::draw(self.plan, self.variants[place], student);
@@ -185,7 +185,7 @@ impl PrintJob<'_, '_> {
                 .pages
                 .begin(laid.pages.list_title(list))
                 .map_err(unfilled)?;
-            let page = laid.pages.list(list, &sections, roll).map_err(unfilled)?;
+            let page = list_page(&laid.pages, list, &sections, roll).map_err(unfilled)?;
             let name = format!("{FOLDER}/{}.{}", list.name(), laid.extension());
             let digest = match laid.bind(format!("{begin}{page}{}", laid.end)) {
                 Ok(bytes) => self.out.write(&name, &bytes)?,

@@ -11,6 +11,7 @@ mod text;
 
 pub use crate::math::read_latex as read_math;
 pub use error::TextError;
+pub(crate) use text::read;
 
 use super::Document;
 use crate::diagnostic::Finding;
@@ -25,39 +26,18 @@ pub struct Reading {
     pub errors: Vec<TextError>,
 }
 
-impl Document {
-    /// Reads a text. Length and nesting are bounded.
-    ///
-    /// # Examples
-    ///
-    /// ```
-    /// use vibank::document::{Document, Filling};
-    /// use vibank::math::Math;
-    ///
-    /// let reading = Document::read("A block of mass << m >> with $\\omega_n = << omega_n >>$.");
-    /// assert!(reading.errors.is_empty());
-    /// let demand: Vec<_> = reading.document.placeholders().iter().map(|p| &p.path).collect();
-    /// assert_eq!(demand, ["m", "omega_n"]);
-    /// let fills = vec![Filling::Math(Math::number("2.0")), Filling::Math(Math::number("3.0"))];
-    /// assert_eq!(reading.document.plain(&fills), "A block of mass 2.0 with ωₙ = 3.0.");
-    /// ```
-    pub fn read(text: &str) -> Reading {
-        text::read(text)
-    }
-
-    /// Reads a text of a file that has no data to show: instructions, formulas of a chapter. All that cannot be set is
-    /// found, placeholders included.
-    pub(crate) fn read_bare(text: &Text, source: &Source) -> (Self, Vec<Finding>) {
-        let reading = Self::read(&text.value);
-        let holes = reading.document.placeholders().iter();
-        let misplaced = holes.map(|hole| TextError::MisplacedPlaceholder {
-            place: "a text without data",
-            span: hole.span,
-        });
-        let errors = reading.errors.iter().cloned().chain(misplaced);
-        let findings = errors
-            .map(|error| Finding::within(&error, source, text))
-            .collect();
-        (reading.document, findings)
-    }
+/// Reads a text of a file that has no data to show: instructions, formulas of a chapter. All that cannot be set is
+/// found, placeholders included.
+pub(crate) fn read_bare(text: &Text, source: &Source) -> (Document, Vec<Finding>) {
+    let reading = Document::read(&text.value);
+    let holes = reading.document.placeholders().iter();
+    let misplaced = holes.map(|hole| TextError::MisplacedPlaceholder {
+        place: "a text without data",
+        span: hole.span,
+    });
+    let errors = reading.errors.iter().cloned().chain(misplaced);
+    let findings = errors
+        .map(|error| Finding::within(&error, source, text))
+        .collect();
+    (reading.document, findings)
 }

@@ -9,7 +9,7 @@ use super::{
 use crate::answer::{Credit, Doubt};
 use crate::bank::Space;
 use crate::diagnostic::{Finding, Severity};
-use crate::document::Document;
+use crate::document::read_bare;
 use crate::message::Language;
 use crate::scene;
 use crate::source::{Data, Source, Span, Table, Text, Value};
@@ -189,7 +189,7 @@ pub(crate) fn blueprint<'s>(
     let csv = csv(&table, decimal, &mut faults);
     let doubt = doubt(&table, &mut faults);
     let instructions = table.text("instructions").map(|text| {
-        let (document, mut found) = Document::read_bare(&text, faults.source);
+        let (document, mut found) = read_bare(&text, faults.source);
         faults.findings.append(&mut found);
         document
     });

@@ -4,7 +4,7 @@ use std::iter::Sum;
 use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
 
 use super::Dd;
-use crate::numerics::exact::{fast_two_sum, ordinary_product, two_prod, two_sum};
+use crate::numerics::exact::{fast_two_sum, two_prod, two_sum};
 
 /// The result, or the plain operation on the leading parts where that is not finite.
 #[inline]
@@ -84,21 +84,6 @@ impl Mul for Dd {
         let product = Self::fast_sum(high, error + cross);
         let raise = || raised(self, |raised| raised * other);
         ranged(product, || self.hi * other.hi, raise)
-    }
-}
-
-impl Dd {
-    /// `self * factor + term` for a term that outweighs the product, as in the series of a small number: the error is a few
-    /// u² of the term. Nothing is guarded against numbers out of range.
-    #[inline]
-    pub(crate) fn times_plus(self, factor: Self, term: Self) -> Self {
-        let (product, error) = ordinary_product(self.hi, factor.hi);
-        let cross = self.hi * factor.lo + self.lo * factor.hi;
-        let (hi, rest) = fast_two_sum(term.hi, product);
-        Self {
-            hi,
-            lo: rest + (error + cross + term.lo),
-        }
     }
 }
 

@@ -2,24 +2,14 @@
 
 use super::Dd;
 
-impl Dd {
-    /// The circle constant π.
-    pub const PI: Self = Dd::from_bits(0x4009_21fb_5444_2d18, 0x3ca1_a626_3314_5c07);
-    /// A full turn, 2π.
-    pub const TAU: Self = Dd::from_bits(0x4019_21fb_5444_2d18, 0x3cb1_a626_3314_5c07);
-    /// A right angle, π/2.
-    pub const FRAC_PI_2: Self = Dd::from_bits(0x3ff9_21fb_5444_2d18, 0x3c91_a626_3314_5c07);
-    /// Half a right angle, π/4.
-    pub const FRAC_PI_4: Self = Dd::from_bits(0x3fe9_21fb_5444_2d18, 0x3c81_a626_3314_5c07);
-    /// Euler's number e.
-    pub const E: Self = Dd::from_bits(0x4005_bf0a_8b14_5769, 0x3ca4_d57e_e2b1_013a);
-    /// The natural logarithm of 2.
-    pub const LN_2: Self = Dd::from_bits(0x3fe6_2e42_fefa_39ef, 0x3c7a_bc9e_3b39_803f);
-    /// The natural logarithm of 10.
-    pub const LN_10: Self = Dd::from_bits(0x4002_6bb1_bbb5_5516, 0xbcaf_48ad_494e_a3e9);
-    /// The square root of 2.
-    pub const SQRT_2: Self = Dd::from_bits(0x3ff6_a09e_667f_3bcd, 0xbc9b_dd34_13b2_6456);
-}
+pub(crate) const PI: Dd = Dd::from_bits(0x4009_21fb_5444_2d18, 0x3ca1_a626_3314_5c07);
+pub(crate) const TAU: Dd = Dd::from_bits(0x4019_21fb_5444_2d18, 0x3cb1_a626_3314_5c07);
+pub(crate) const FRAC_PI_2: Dd = Dd::from_bits(0x3ff9_21fb_5444_2d18, 0x3c91_a626_3314_5c07);
+pub(crate) const FRAC_PI_4: Dd = Dd::from_bits(0x3fe9_21fb_5444_2d18, 0x3c81_a626_3314_5c07);
+pub(crate) const E: Dd = Dd::from_bits(0x4005_bf0a_8b14_5769, 0x3ca4_d57e_e2b1_013a);
+pub(crate) const LN_2: Dd = Dd::from_bits(0x3fe6_2e42_fefa_39ef, 0x3c7a_bc9e_3b39_803f);
+pub(crate) const LN_10: Dd = Dd::from_bits(0x4002_6bb1_bbb5_5516, 0xbcaf_48ad_494e_a3e9);
+pub(crate) const SQRT_2: Dd = Dd::from_bits(0x3ff6_a09e_667f_3bcd, 0xbc9b_dd34_13b2_6456);
 
 /// The two leading parts of ln 2 with 40 bits each: their products with an exponent are exact.
 pub(crate) const LN_2_PARTS: [f64; 2] = [

@@ -18,23 +18,21 @@ const WORDS: usize = 5;
 /// A fraction of a turn in two's complement, the leading word first; turns wrap around.
 type Turn = [u64; WORDS];
 
-impl Dd {
-    /// Quarter turns nearest to the angle, modulo four, and the angle that is left, in [-π/4, π/4].
-    pub(crate) fn quarter_turns(self) -> (u8, Self) {
-        // Of the leading word, whose range of 2^64 is one turn.
-        const EIGHTH: u64 = 1 << 61;
-        if self.abs() <= Self::FRAC_PI_4 {
-            return (0, self);
-        }
-        if !self.is_finite() {
-            return (0, Self::NAN);
-        }
-        let mut turn = sum(turn_of(self.hi), turn_of(self.lo));
-        turn[0] = turn[0].wrapping_add(EIGHTH);
-        let quarters = (turn[0] >> 62) as u8;
-        turn[0] = (turn[0] & ((1 << 62) - 1)).wrapping_sub(EIGHTH);
-        (quarters, signed(turn) * Self::TAU)
+/// Quarter turns nearest to the angle, modulo four, and the angle that is left, in [-π/4, π/4].
+pub(crate) fn quarter_turns(angle: Dd) -> (u8, Dd) {
+    // Of the leading word, whose range of 2^64 is one turn.
+    const EIGHTH: u64 = 1 << 61;
+    if angle.abs() <= Dd::FRAC_PI_4 {
+        return (0, angle);
     }
+    if !angle.is_finite() {
+        return (0, Dd::NAN);
+    }
+    let mut turn = sum(turn_of(angle.hi), turn_of(angle.lo));
+    turn[0] = turn[0].wrapping_add(EIGHTH);
+    let quarters = (turn[0] >> 62) as u8;
+    turn[0] = (turn[0] & ((1 << 62) - 1)).wrapping_sub(EIGHTH);
+    (quarters, signed(turn) * Dd::TAU)
 }
 
 /// x/(2π) modulo 1.
@@ -130,7 +128,7 @@ mod tests {
     fn the_multiple_of_a_quarter_turn_nearest_to_it_keeps_its_remainder() {
         // The double that comes nearest to a multiple of π/2: J.-M. Muller, Elementary Functions, 3rd ed., table 11.1.
         let x = 6_381_956_970_095_103.0 * crate::numerics::powi(2.0, 797);
-        let (quarters, rest) = Dd::from(x).quarter_turns();
+        let (quarters, rest) = quarter_turns(Dd::from(x));
         assert_eq!(quarters, 1);
         assert!(
             (rest.hi() / 4.687_165_924_254_628e-19 - 1.0).abs() < 1e-15,
@@ -140,7 +138,7 @@ mod tests {
 
     #[test]
     fn the_low_part_counts() {
-        let (quarters, rest) = (Dd::TAU * 1e20 + 0.25).quarter_turns();
+        let (quarters, rest) = quarter_turns(Dd::TAU * 1e20 + 0.25);
         assert_eq!(quarters, 0);
         assert!((rest.hi() - 0.25).abs() < 1e-10);
     }

@@ -6,6 +6,7 @@
 //! ```
 
 use super::decay;
+use super::grid::{BlockFactors, FactorRow};
 use crate::numerics::{Dd, sum_of_products};
 use crate::vibration::oscillator::Scaled;
 use crate::vibration::state::State;
@@ -52,6 +53,26 @@ impl Critical {
         State {
             position: envelope * (self.initial.position + self.position_slope * t),
             velocity: envelope * (self.initial.velocity + self.velocity_slope * t),
+        }
+    }
+
+    /// Decay e^(-λτ), alone and times τ.
+    pub(crate) fn row(&self, time: Dd) -> FactorRow {
+        let envelope = (self.growth * time).exp_to_f64();
+        FactorRow {
+            position: envelope,
+            shared: envelope * time.hi(),
+            velocity: envelope,
+        }
+    }
+
+    pub(crate) fn block(&self, time: Dd) -> BlockFactors {
+        let envelope = (self.growth * time).exp_to_f64();
+        let line =
+            |value: f64, slope: f64| (envelope * (value + slope * time.hi()), envelope * slope);
+        BlockFactors {
+            position: line(self.initial.position, self.position_slope),
+            velocity: line(self.initial.velocity, self.velocity_slope),
         }
     }
 }

@@ -11,6 +11,7 @@ mod oscillating;
 mod overdamped;
 
 use critical::Critical;
+use grid::{BlockFactors, FactorRow, TimeGrid};
 use oscillating::Oscillating;
 use overdamped::Overdamped;
 
@@ -91,6 +92,22 @@ impl FreeResponse {
         }
     }
 
+    /// The motion `q'' + c q' + k q = 0` for coefficients of any sign: also rigid motion, and motion that grows.
+    pub(crate) fn of_mode(damping: Dd, stiffness: Dd, initial: State) -> Self {
+        let rate_exponent = mode::rate_exponent(damping, stiffness);
+        let (units, state) = Units::of(initial, rate_exponent);
+        let motion = mode::motion(
+            damping.scale(-rate_exponent),
+            stiffness.scale(-2 * rate_exponent),
+            state,
+        );
+        Self {
+            initial,
+            motion,
+            units,
+        }
+    }
+
     /// State at time zero.
     pub const fn initial(&self) -> State {
         self.initial
@@ -149,6 +166,65 @@ impl FreeResponse {
                 Some((self.units.position.apply(amplitude), phase))
             }
             ScaledMotion::Critical(_) | ScaledMotion::Overdamped(_) => None,
+        }
+    }
+
+    /// Positions in m at the times start, start + step, start + 2 step, ... in s.
+    ///
+    /// The times are the exact ones, not their rounded values.
+    ///
+    /// # Examples
+    ///
+    /// ```
+    /// use vibank_dynamics::vibration::{FreeResponse, Oscillator, State};
+    ///
+    /// let oscillator = Oscillator::new(1.0, 0.2, 4.0)?;
+    /// let motion = FreeResponse::of(&oscillator, State { position: 1.0, velocity: 0.0 });
+    /// let mut positions = [0.0; 201];
+    /// motion.positions(0.0, 0.125, &mut positions);
+    /// assert!((positions[200] - motion.position(25.0)).abs() < 1e-15);
+    /// # Ok::<(), vibank_dynamics::vibration::OscillatorError>(())
+    /// ```
+    pub fn positions(&self, start: f64, step: f64, positions: &mut [f64]) {
+        let grid = TimeGrid::of(self, start, step, positions.len());
+        for (index, chunk) in positions.chunks_mut(grid.block).enumerate() {
+            let first = index * grid.block;
+            let Some(block) = grid.block(first, chunk.len()) else {
+                for (i, x) in chunk.iter_mut().enumerate() {
+                    *x = self.position(start + step * (first + i) as f64);
+                }
+                continue;
+            };
+            let (a, b) = block.position;
+            for (x, row) in chunk.iter_mut().zip(&grid.rows) {
+                *x = self.units.position.apply(a * row.position + b * row.shared);
+            }
+        }
+    }
+
+    /// Positions in m and velocities in m/s at the times start, start + step, start + 2 step, ... in s.
+    ///
+    /// As many samples as both slices have room for.
+    pub fn states(&self, start: f64, step: f64, positions: &mut [f64], velocities: &mut [f64]) {
+        let grid = TimeGrid::of(self, start, step, positions.len().min(velocities.len()));
+        let chunks = positions
+            .chunks_mut(grid.block)
+            .zip(velocities.chunks_mut(grid.block));
+        for (index, (positions, velocities)) in chunks.enumerate() {
+            let first = index * grid.block;
+            let samples = positions.iter_mut().zip(velocities.iter_mut());
+            let Some(block) = grid.block(first, samples.len()) else {
+                for (i, (x, v)) in samples.enumerate() {
+                    let state = self.state(start + step * (first + i) as f64);
+                    (*x, *v) = (state.position, state.velocity);
+                }
+                continue;
+            };
+            let ((a, b), (c, d)) = (block.position, block.velocity);
+            for ((x, v), row) in samples.zip(&grid.rows) {
+                *x = self.units.position.apply(a * row.position + b * row.shared);
+                *v = self.units.velocity.apply(c * row.velocity + d * row.shared);
+            }
         }
     }
 }
@@ -225,6 +301,22 @@ impl ScaledMotion {
             Self::Oscillating(motion) => motion.state::<LIFTED>(t),
             Self::Critical(motion) => motion.state::<LIFTED>(t),
             Self::Overdamped(motion) => motion.state::<LIFTED>(t),
+        }
+    }
+
+    fn row(&self, time: Dd) -> FactorRow {
+        match self {
+            Self::Oscillating(motion) => motion.row(time),
+            Self::Critical(motion) => motion.row(time),
+            Self::Overdamped(motion) => motion.row(time),
+        }
+    }
+
+    fn block(&self, time: Dd) -> BlockFactors {
+        match self {
+            Self::Oscillating(motion) => motion.block(time),
+            Self::Critical(motion) => motion.block(time),
+            Self::Overdamped(motion) => motion.block(time),
         }
     }
 }

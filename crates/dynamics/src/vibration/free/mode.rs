@@ -1,35 +1,17 @@
 //! The free motion of one mode, whose stiffness may be zero or negative and is known to thirty digits.
 
+use super::ScaledMotion;
 use super::critical::Critical;
 use super::oscillating::Oscillating;
 use super::overdamped::Overdamped;
-use super::{FreeResponse, ScaledMotion, Units};
 use crate::numerics::{Dd, binary_exponent};
 use crate::vibration::state::State;
 
 /// Beyond this damping, in units of the natural frequency, the square of the damping coefficient is all that counts.
 const LARGE_DAMPING: f64 = 1e30;
 
-impl FreeResponse {
-    /// The motion `q'' + c q' + k q = 0` for coefficients of any sign: also rigid motion, and motion that grows.
-    pub(crate) fn of_mode(damping: Dd, stiffness: Dd, initial: State) -> Self {
-        let rate_exponent = rate_exponent(damping, stiffness);
-        let (units, state) = Units::of(initial, rate_exponent);
-        let motion = motion(
-            damping.scale(-rate_exponent),
-            stiffness.scale(-2 * rate_exponent),
-            state,
-        );
-        Self {
-            initial,
-            motion,
-            units,
-        }
-    }
-}
-
 /// Exponent of the power of two next to the natural frequency, or to the damping if there is no stiffness.
-fn rate_exponent(damping: Dd, stiffness: Dd) -> i32 {
+pub(crate) fn rate_exponent(damping: Dd, stiffness: Dd) -> i32 {
     if stiffness != Dd::ZERO {
         binary_exponent(stiffness.hi()).div_euclid(2)
     } else if damping != Dd::ZERO {
@@ -39,7 +21,8 @@ fn rate_exponent(damping: Dd, stiffness: Dd) -> i32 {
     }
 }
 
-fn motion(damping: Dd, stiffness: Dd, initial: State) -> ScaledMotion {
+/// The motion in units of the rate.
+pub(crate) fn motion(damping: Dd, stiffness: Dd, initial: State) -> ScaledMotion {
     let State { position, velocity } = initial;
     let discriminant = damping.square() - stiffness * 4.0;
     let root = if damping.hi().abs() > LARGE_DAMPING {
@@ -93,6 +76,7 @@ fn roots(damping: Dd, stiffness: Dd, root: Dd) -> (Dd, Dd) {
 mod tests {
     use super::*;
     use crate::numerics::{cosh, exp, sinh};
+    use crate::vibration::FreeResponse;
     use crate::vibration::Oscillator;
 
     const INITIAL: State = State {

@@ -6,6 +6,7 @@
 //! ```
 
 use super::decay;
+use super::grid::{BlockFactors, FactorRow};
 use crate::numerics::{Dd, atan2, hypot, sum_of_products};
 use crate::vibration::oscillator::Scaled;
 use crate::vibration::state::State;
@@ -79,5 +80,38 @@ impl Oscillating {
     pub(crate) fn amplitude_and_phase(&self) -> (f64, f64) {
         let (cosine, sine) = (self.initial.position, self.position_sine);
         (hypot(cosine, sine), atan2(sine, cosine))
+    }
+
+    /// Decay and rotation, e^(-λτ) cos ω_d τ and -e^(-λτ) sin ω_d τ.
+    pub(crate) fn row(&self, time: Dd) -> FactorRow {
+        let (sine, cosine) = (self.frequency * time).sin_cos_to_f64();
+        let envelope = if self.is_damped {
+            (self.growth * time).exp_to_f64()
+        } else {
+            1.0
+        };
+        FactorRow {
+            position: envelope * cosine,
+            shared: -envelope * sine,
+            velocity: envelope * cosine,
+        }
+    }
+
+    pub(crate) fn block(&self, time: Dd) -> BlockFactors {
+        let FactorRow {
+            position: cosine,
+            shared: minus_sine,
+            ..
+        } = self.row(time);
+        let turned = |even: f64, odd: f64| {
+            (
+                even * cosine - odd * minus_sine,
+                -even * minus_sine - odd * cosine,
+            )
+        };
+        BlockFactors {
+            position: turned(self.initial.position, self.position_sine),
+            velocity: turned(self.initial.velocity, self.velocity_sine),
+        }
     }
 }

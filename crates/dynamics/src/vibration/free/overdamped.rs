@@ -7,6 +7,7 @@
 //! ```
 
 use super::decay;
+use super::grid::{BlockFactors, FactorRow};
 use crate::numerics::{Dd, expm1};
 use crate::vibration::oscillator::Scaled;
 use crate::vibration::state::State;
@@ -91,6 +92,28 @@ impl Overdamped {
             position: envelope * (self.initial.position + self.beyond_slow * ramp),
             velocity: self.initial.velocity * decay::<LIFTED>(self.fast, t)
                 + self.slow.hi() * self.beyond_fast * ramp * envelope,
+        }
+    }
+
+    /// Decay e^(r_s τ), alone and times P(τ), and e^(r_f τ).
+    pub(crate) fn row(&self, time: Dd) -> FactorRow {
+        let envelope = (self.slow * time).exp_to_f64();
+        let ramp = -expm1(-self.gap * time.hi()) / self.gap;
+        FactorRow {
+            position: envelope,
+            shared: envelope * ramp,
+            velocity: (self.fast * time).exp_to_f64(),
+        }
+    }
+
+    /// The state at the block's start, and q and p of the motion from there, which decay with one root each.
+    pub(crate) fn block(&self, time: Dd) -> BlockFactors {
+        let state = self.state::<false>(time.hi());
+        let beyond_slow = self.beyond_slow * (self.fast * time).exp_to_f64();
+        let beyond_fast = self.beyond_fast * (self.slow * time).exp_to_f64();
+        BlockFactors {
+            position: (state.position, beyond_slow),
+            velocity: (state.velocity, self.slow.hi() * beyond_fast),
         }
     }
 }

@@ -28,7 +28,7 @@ pub use path::FrictionPath;
 use thiserror::Error;
 
 use self::decay::Decay;
-use self::scale::{Scale, ratio};
+use self::scale::{Scale, is_decided, ratio};
 use super::oscillator::{Oscillator, OscillatorError};
 use crate::numerics::{Dd, ExactNumber, sign_of_sum};
 
@@ -252,5 +252,19 @@ impl FrictionOscillator {
     /// Where the mass would rest without friction, `F/k`, in m.
     pub fn equilibrium(&self) -> f64 {
         self.system.equilibrium.hi()
+    }
+
+    /// The distance of a position from the equilibrium, with an exact sign.
+    fn offset(&self, position: ExactNumber) -> Dd {
+        let position_dd = position.to_dd();
+        let offset = position_dd - self.system.equilibrium;
+        if is_decided(offset, position_dd.hi()) {
+            return offset;
+        }
+        match self.given.side_of(position) {
+            std::cmp::Ordering::Equal => Dd::ZERO,
+            std::cmp::Ordering::Less => -offset.abs(),
+            std::cmp::Ordering::Greater => offset.abs(),
+        }
     }
 }

@@ -420,19 +420,3 @@ impl FrictionMotion {
         self.system.scale.half_period() * half_cycles as f64
     }
 }
-
-impl FrictionOscillator {
-    /// The distance of a position from the equilibrium, with an exact sign.
-    fn offset(&self, position: ExactNumber) -> Dd {
-        let position_dd = position.to_dd();
-        let offset = position_dd - self.system.equilibrium;
-        if is_decided(offset, position_dd.hi()) {
-            return offset;
-        }
-        match self.given.side_of(position) {
-            std::cmp::Ordering::Equal => Dd::ZERO,
-            std::cmp::Ordering::Less => -offset.abs(),
-            std::cmp::Ordering::Greater => offset.abs(),
-        }
-    }
-}

@@ -35,64 +35,65 @@ pub(crate) fn modes(system: System) -> Result<Modes, ModesError> {
         rates,
         vectors,
     };
-    modes.refine_spread();
+    refine_spread(&mut modes);
     Ok(modes)
 }
 
-impl Modes {
-    /// Takes refined modes for small systems where plain ones would lose digits: frequencies of networks too far apart for
-    /// plain Rayleigh quotients, and all of matrices whose frequencies are spread or whose motion grows.
-    ///
-    /// Larger systems may lose more, and refining them takes longer.
-    fn refine_spread(&mut self) {
-        // A product of two matrices of double-doubles then has 4,096 terms, and a correction takes three of
-        // them.
-        const SMALL: usize = 16;
-        // The eigenvalues, squares of these rates, then spread by 900: a matrix has lost three digits of the
-        // smallest.
-        const SPREAD: f64 = 30.0;
-        if self.count() > SMALL {
-            return;
-        }
-        let is_network = matches!(&self.system.stiffness, Stiffness::Springs(springs) if are_attractive(springs));
-        // Two masses come from a closed form that was rounded once.
-        if is_network && self.count() > 2 && network::are_spread(&self.rates) {
-            self.take_rates(&self.refined());
-        }
-        let magnitudes = || {
-            self.rates
-                .iter()
-                .map(|rate| rate.abs())
-                .filter(|rate| *rate > 0.0)
-        };
-        let smallest = magnitudes().fold(f64::INFINITY, f64::min);
-        let is_spread = magnitudes().fold(0.0, f64::max) > SPREAD * smallest;
-        // Rotations leave each eigenvalue of a matrix off by the last digit of the largest; its entries,
-        // taken as exact, determine more. A network is eliminated without that loss.
-        if !is_network && (is_spread || self.is_unstable()) {
-            let refined = self.fully_refined();
-            if refined.is_finite() {
-                self.take_all(&refined);
-            }
+/// Takes refined modes for small systems where plain ones would lose digits: frequencies of networks too far apart for
+/// plain Rayleigh quotients, and all of matrices whose frequencies are spread or whose motion grows.
+///
+/// Larger systems may lose more, and refining them takes longer.
+fn refine_spread(modes: &mut Modes) {
+    // A product of two matrices of double-doubles then has 4,096 terms, and a correction takes three of
+    // them.
+    const SMALL: usize = 16;
+    // The eigenvalues, squares of these rates, then spread by 900: a matrix has lost three digits of the
+    // smallest.
+    const SPREAD: f64 = 30.0;
+    if modes.count() > SMALL {
+        return;
+    }
+    let is_network =
+        matches!(&modes.system.stiffness, Stiffness::Springs(springs) if are_attractive(springs));
+    // Two masses come from a closed form that was rounded once.
+    if is_network && modes.count() > 2 && network::are_spread(&modes.rates) {
+        let refined = modes.refined();
+        take_rates(modes, &refined);
+    }
+    let magnitudes = || {
+        modes
+            .rates
+            .iter()
+            .map(|rate| rate.abs())
+            .filter(|rate| *rate > 0.0)
+    };
+    let smallest = magnitudes().fold(f64::INFINITY, f64::min);
+    let is_spread = magnitudes().fold(0.0, f64::max) > SPREAD * smallest;
+    // Rotations leave each eigenvalue of a matrix off by the last digit of the largest; its entries,
+    // taken as exact, determine more. A network is eliminated without that loss.
+    if !is_network && (is_spread || modes.is_unstable()) {
+        let refined = modes.fully_refined();
+        if refined.is_finite() {
+            take_all(modes, &refined);
         }
     }
+}
 
-    fn take_rates(&mut self, refined: &Refined) {
-        for (mode, rate) in self.rates.iter_mut().enumerate() {
-            // Squares of extreme frequencies leave the range of numbers, and the refined ones with them.
-            let refined = refined.rate(mode);
-            if (refined - *rate).abs() <= 1e-12 * *rate {
-                *rate = refined;
-            }
+fn take_rates(modes: &mut Modes, refined: &Refined) {
+    for (mode, rate) in modes.rates.iter_mut().enumerate() {
+        // Squares of extreme frequencies leave the range of numbers, and the refined ones with them.
+        let refined = refined.rate(mode);
+        if (refined - *rate).abs() <= 1e-12 * *rate {
+            *rate = refined;
         }
     }
+}
 
-    fn take_all(&mut self, refined: &Refined) {
-        self.rates = (0..self.count()).map(|mode| refined.rate(mode)).collect();
-        self.vectors = (0..self.count())
-            .flat_map(|mode| self.root.weighted(&refined.mode_shape(mode)))
-            .collect();
-    }
+fn take_all(modes: &mut Modes, refined: &Refined) {
+    modes.rates = (0..modes.count()).map(|mode| refined.rate(mode)).collect();
+    modes.vectors = (0..modes.count())
+        .flat_map(|mode| modes.root.weighted(&refined.mode_shape(mode)))
+        .collect();
 }
 
 /// Natural angular frequencies alone, ascending, in rad/s.

@@ -107,6 +107,73 @@ impl Pendulum {
         self.rate().hi()
     }
 
+    /// Period of small swings, in s.
+    ///
+    /// ```text
+    /// T0 = 2 pi sqrt(L/g)
+    /// ```
+    #[must_use]
+    pub fn small_period(&self) -> f64 {
+        self.small_period.hi()
+    }
+
+    /// Period of a swing released from rest at the angle `amplitude`, in s, to two units in the last place.
+    ///
+    /// ```text
+    /// T = T0/agm(1, cos(theta0/2))
+    /// ```
+    ///
+    /// # Examples
+    ///
+    /// ```
+    /// use vibank_dynamics::vibration::Pendulum;
+    ///
+    /// // The largest number below π: it stays near the top for a long time.
+    /// let period = Pendulum::new(9.81, 9.81).unwrap().period(std::f64::consts::PI).unwrap();
+    /// assert!((period - 154.872_602_217_555_25).abs() < 6e-14);
+    /// ```
+    ///
+    /// # Errors
+    ///
+    /// [`PendulumError::Amplitude`] from a half turn on: there it does not swing back.
+    pub fn period(&self, amplitude: f64) -> Result<f64, PendulumError> {
+        period::of(self.small_period, amplitude)
+    }
+
+    /// By which part the period of a swing exceeds that of small swings, `T/T0 - 1`, without cancellation.
+    ///
+    /// It begins as `theta0^2/16`.
+    ///
+    /// # Examples
+    ///
+    /// ```
+    /// use vibank_dynamics::vibration::Pendulum;
+    ///
+    /// let excess = Pendulum::new(1.0, 9.81).unwrap().period_excess(1e-12).unwrap();
+    /// assert_eq!(excess, 6.25e-26);
+    /// ```
+    ///
+    /// # Errors
+    ///
+    /// [`PendulumError::Amplitude`] from a half turn on.
+    pub fn period_excess(&self, amplitude: f64) -> Result<f64, PendulumError> {
+        period::excess(amplitude)
+    }
+
+    /// The motion from an angle in rad and an angular velocity in rad/s, both of any sign and size.
+    ///
+    /// # Errors
+    ///
+    /// [`PendulumError::Start`] if one is not finite, if the velocity exceeds 1e100 times the natural angular frequency,
+    /// or if twice that frequency is beyond the range of numbers.
+    pub fn motion(
+        &self,
+        angle: f64,
+        angular_velocity: f64,
+    ) -> Result<PendulumMotion, PendulumError> {
+        PendulumMotion::of(self, angle, angular_velocity)
+    }
+
     fn rate(&self) -> Dd {
         self.rate.scale(self.exponent)
     }

@@ -94,22 +94,16 @@ enum Start {
     At(Dd),
 }
 
-impl Pendulum {
-    /// The motion from an angle in rad and an angular velocity in rad/s, both of any sign and size.
-    ///
-    /// # Errors
-    ///
-    /// [`PendulumError::Start`] if one is not finite, if the velocity exceeds 1e100 times the natural angular frequency,
-    /// or if twice that frequency is beyond the range of numbers.
-    pub fn motion(
-        &self,
+impl PendulumMotion {
+    pub(crate) fn of(
+        pendulum: &Pendulum,
         angle: f64,
         angular_velocity: f64,
-    ) -> Result<PendulumMotion, PendulumError> {
+    ) -> Result<Self, PendulumError> {
         // Its cube is still within the range of numbers.
         const MAX_RATIO: f64 = 1e100;
-        let kappa = self.reduced_velocity(angular_velocity);
-        let double_rate = (self.rate() * 2.0).hi();
+        let kappa = reduced_velocity(pendulum, angular_velocity);
+        let double_rate = (pendulum.rate() * 2.0).hi();
         let is_moderate = kappa.is_finite() && kappa.hi().abs() <= MAX_RATIO;
         if !(angle.is_finite() && is_moderate && double_rate.is_finite()) {
             return Err(PendulumError::Start {
@@ -123,96 +117,16 @@ impl Pendulum {
         } else {
             1.0
         };
-        let start = State::new(half * direction, kappa * direction);
-        let lack = self.energy_lack(start, angular_velocity);
-        Ok(PendulumMotion {
-            course: self.course(start, lack),
+        let start = ReducedStart::new(half * direction, kappa * direction);
+        let lack = energy_lack(pendulum, start, angular_velocity);
+        Ok(Self {
+            course: MotionType::of(pendulum.rate(), start, lack),
             turns,
             direction,
             double_rate,
         })
     }
 
-    /// theta'/(2 omega0).
-    fn reduced_velocity(&self, angular_velocity: f64) -> Dd {
-        let scaled = scale_by_power_of_two(angular_velocity, -self.exponent - 1);
-        Dd::from(scaled) / self.rate
-    }
-
-    /// What the energy lacks to reach the top, `cos^2(theta/2) - kappa^2`, without rounding in what cancels.
-    fn energy_lack(&self, start: State, angular_velocity: f64) -> Dd {
-        let (velocity, length, gravity) = self.scaled(angular_velocity);
-        let square = Dd::product(velocity, velocity);
-        let [first, second] = [
-            Dd::product(square.hi(), length),
-            Dd::product(square.lo(), length),
-        ];
-        let top = Dd::from(4.0 * gravity) * start.cosine.square();
-        let lack = (top - first.hi()) - first.lo() - second.hi() - second.lo();
-        lack / (4.0 * gravity)
-    }
-
-    /// Velocity, length and gravity in units that keep their squares and products within the exponent range.
-    fn scaled(&self, angular_velocity: f64) -> (f64, f64, f64) {
-        let of_length = crate::numerics::binary_exponent(self.length);
-        (
-            scale_by_power_of_two(angular_velocity, -self.exponent),
-            scale_by_power_of_two(self.length, -of_length),
-            scale_by_power_of_two(self.gravity, -of_length - 2 * self.exponent),
-        )
-    }
-
-    fn course(&self, start: State, lack: Dd) -> MotionType {
-        if lack.hi() > 0.0 {
-            self.swing(start, lack)
-        } else if lack.hi() < 0.0 {
-            self.turn(start, -lack)
-        } else {
-            MotionType::Separatrix {
-                rate: self.rate(),
-                start: asinh((start.sine / start.cosine).hi()),
-            }
-        }
-    }
-
-    /// `sin(theta/2) = k sn`, `cos(theta/2) = dn`, `kappa = k cn`.
-    fn swing(&self, start: State, lack: Dd) -> MotionType {
-        let functions = JacobiFunctions::of(lack);
-        let modulus = start.kappa.hypot(start.sine).hi();
-        let clock = Clock {
-            rate: self.rate() * functions.phase_rate(),
-            start: if start.kappa.hi() == 0.0 && start.sine.hi() != 0.0 {
-                Start::Quarter
-            } else {
-                Start::At(functions.phase_rate() * start.swing_argument(modulus))
-            },
-        };
-        MotionType::Swing {
-            functions,
-            clock,
-            modulus,
-        }
-    }
-
-    /// `theta/2 = am`, `kappa = sqrt(E) dn`.
-    fn turn(&self, start: State, excess: Dd) -> MotionType {
-        let root = start.kappa.hypot(start.sine);
-        let functions = JacobiFunctions::of(excess / root.square());
-        let slope = (start.kappa / root).hi();
-        let cosine = start.cosine.hi();
-        let argument = start.sine.hi() * carlson_rf(cosine * cosine, slope * slope, 1.0);
-        MotionType::Turn {
-            functions,
-            clock: Clock {
-                rate: self.rate() * root * functions.phase_rate(),
-                start: Start::At(functions.phase_rate() * argument),
-            },
-            root: root.hi(),
-        }
-    }
-}
-
-impl PendulumMotion {
     /// Whether it swings or turns over.
     #[must_use]
     pub fn regime(&self) -> PendulumRegime {
@@ -281,6 +195,56 @@ enum EllipticValues {
 }
 
 impl MotionType {
+    /// The motion of a pendulum of a natural angular frequency.
+    fn of(rate: Dd, start: ReducedStart, lack: Dd) -> Self {
+        if lack.hi() > 0.0 {
+            Self::swing(rate, start, lack)
+        } else if lack.hi() < 0.0 {
+            Self::turn(rate, start, -lack)
+        } else {
+            Self::Separatrix {
+                rate,
+                start: asinh((start.sine / start.cosine).hi()),
+            }
+        }
+    }
+
+    /// `sin(theta/2) = k sn`, `cos(theta/2) = dn`, `kappa = k cn`.
+    fn swing(rate: Dd, start: ReducedStart, lack: Dd) -> Self {
+        let functions = JacobiFunctions::of(lack);
+        let modulus = start.kappa.hypot(start.sine).hi();
+        let clock = Clock {
+            rate: rate * functions.phase_rate(),
+            start: if start.kappa.hi() == 0.0 && start.sine.hi() != 0.0 {
+                Start::Quarter
+            } else {
+                Start::At(functions.phase_rate() * start.swing_argument(modulus))
+            },
+        };
+        Self::Swing {
+            functions,
+            clock,
+            modulus,
+        }
+    }
+
+    /// `theta/2 = am`, `kappa = sqrt(E) dn`.
+    fn turn(rate: Dd, start: ReducedStart, excess: Dd) -> Self {
+        let root = start.kappa.hypot(start.sine);
+        let functions = JacobiFunctions::of(excess / root.square());
+        let slope = (start.kappa / root).hi();
+        let cosine = start.cosine.hi();
+        let argument = start.sine.hi() * carlson_rf(cosine * cosine, slope * slope, 1.0);
+        Self::Turn {
+            functions,
+            clock: Clock {
+                rate: rate * root * functions.phase_rate(),
+                start: Start::At(functions.phase_rate() * argument),
+            },
+            root: root.hi(),
+        }
+    }
+
     fn at(&self, t: f64) -> EllipticValues {
         match self {
             Self::Swing {
@@ -357,13 +321,13 @@ impl Clock {
 
 /// A start: half the angle by its sine and cosine, and the reduced velocity.
 #[derive(Clone, Copy)]
-struct State {
+struct ReducedStart {
     sine: Dd,
     cosine: Dd,
     kappa: Dd,
 }
 
-impl State {
+impl ReducedStart {
     fn new(half: Dd, kappa: Dd) -> Self {
         let (sine, cosine) = half.sin_cos();
         Self {
@@ -382,6 +346,35 @@ impl State {
         }
         sn * carlson_rf(cn * cn, dn * dn, 1.0)
     }
+}
+
+/// theta'/(2 omega0).
+fn reduced_velocity(pendulum: &Pendulum, angular_velocity: f64) -> Dd {
+    let scaled = scale_by_power_of_two(angular_velocity, -pendulum.exponent - 1);
+    Dd::from(scaled) / pendulum.rate
+}
+
+/// What the energy lacks to reach the top, `cos^2(theta/2) - kappa^2`, without rounding in what cancels.
+fn energy_lack(pendulum: &Pendulum, start: ReducedStart, angular_velocity: f64) -> Dd {
+    let (velocity, length, gravity) = scaled(pendulum, angular_velocity);
+    let square = Dd::product(velocity, velocity);
+    let [first, second] = [
+        Dd::product(square.hi(), length),
+        Dd::product(square.lo(), length),
+    ];
+    let top = Dd::from(4.0 * gravity) * start.cosine.square();
+    let lack = (top - first.hi()) - first.lo() - second.hi() - second.lo();
+    lack / (4.0 * gravity)
+}
+
+/// Velocity, length and gravity in units that keep their squares and products within the exponent range.
+fn scaled(pendulum: &Pendulum, angular_velocity: f64) -> (f64, f64, f64) {
+    let of_length = crate::numerics::binary_exponent(pendulum.length);
+    (
+        scale_by_power_of_two(angular_velocity, -pendulum.exponent),
+        scale_by_power_of_two(pendulum.length, -of_length),
+        scale_by_power_of_two(pendulum.gravity, -of_length - 2 * pendulum.exponent),
+    )
 }
 
 fn separatrix_argument(rate: Dd, start: f64, t: f64) -> f64 {

@@ -1,6 +1,6 @@
 //! The period of a swing.
 
-use super::{Pendulum, PendulumError};
+use super::PendulumError;
 use crate::numerics::{Dd, agm, cos, ln, sin};
 
 /// Below this cosine of half the amplitude a period comes from the mean, above it from the series of its excess.
@@ -12,75 +12,29 @@ const STEEP_FOR_EXCESS: f64 = 0.1;
 /// Below this cosine two terms of the expansion next to the top are exact to the last digit, and rounded less often.
 const NEXT_TO_THE_TOP: f64 = 1e-4;
 
-impl Pendulum {
-    /// Period of small swings, in s.
-    ///
-    /// ```text
-    /// T0 = 2 pi sqrt(L/g)
-    /// ```
-    #[must_use]
-    pub fn small_period(&self) -> f64 {
-        self.small_period.hi()
-    }
+/// The period for an amplitude, by that of small swings.
+pub(crate) fn of(small: Dd, amplitude: f64) -> Result<f64, PendulumError> {
+    let half = half_amplitude(amplitude)?;
+    let versine = versine(half);
+    Ok(if !small.is_finite() {
+        small.hi()
+    } else if versine <= 1.0 - STEEP {
+        // The rounding of the sum is the only one of its size: the series is the smaller part of the
+        // period.
+        small.hi() + (small.hi() * series(versine) + small.lo())
+    } else {
+        (small * reciprocal_mean(cos(half))).hi()
+    })
+}
 
-    /// Period of a swing released from rest at the angle `amplitude`, in s, to two units in the last place.
-    ///
-    /// ```text
-    /// T = T0/agm(1, cos(theta0/2))
-    /// ```
-    ///
-    /// # Examples
-    ///
-    /// ```
-    /// use vibank_dynamics::vibration::Pendulum;
-    ///
-    /// // The largest number below π: it stays near the top for a long time.
-    /// let period = Pendulum::new(9.81, 9.81).unwrap().period(std::f64::consts::PI).unwrap();
-    /// assert!((period - 154.872_602_217_555_25).abs() < 6e-14);
-    /// ```
-    ///
-    /// # Errors
-    ///
-    /// [`PendulumError::Amplitude`] from a half turn on: there it does not swing back.
-    pub fn period(&self, amplitude: f64) -> Result<f64, PendulumError> {
-        let half = half_amplitude(amplitude)?;
-        let small = self.small_period;
-        let versine = versine(half);
-        Ok(if !small.is_finite() {
-            small.hi()
-        } else if versine <= 1.0 - STEEP {
-            // The rounding of the sum is the only one of its size: the series is the smaller part of the
-            // period.
-            small.hi() + (small.hi() * series(versine) + small.lo())
-        } else {
-            (small * reciprocal_mean(cos(half))).hi()
-        })
-    }
-
-    /// By which part the period of a swing exceeds that of small swings, `T/T0 - 1`, without cancellation.
-    ///
-    /// It begins as `theta0^2/16`.
-    ///
-    /// # Examples
-    ///
-    /// ```
-    /// use vibank_dynamics::vibration::Pendulum;
-    ///
-    /// let excess = Pendulum::new(1.0, 9.81).unwrap().period_excess(1e-12).unwrap();
-    /// assert_eq!(excess, 6.25e-26);
-    /// ```
-    ///
-    /// # Errors
-    ///
-    /// [`PendulumError::Amplitude`] from a half turn on.
-    pub fn period_excess(&self, amplitude: f64) -> Result<f64, PendulumError> {
-        let half = half_amplitude(amplitude)?;
-        let versine = versine(half);
-        if versine <= 1.0 - STEEP_FOR_EXCESS {
-            Ok(series(versine))
-        } else {
-            Ok(reciprocal_mean(cos(half)) - 1.0)
-        }
+/// By which part it exceeds that of small swings.
+pub(crate) fn excess(amplitude: f64) -> Result<f64, PendulumError> {
+    let half = half_amplitude(amplitude)?;
+    let versine = versine(half);
+    if versine <= 1.0 - STEEP_FOR_EXCESS {
+        Ok(series(versine))
+    } else {
+        Ok(reciprocal_mean(cos(half)) - 1.0)
     }
 }
 
@@ -156,6 +110,7 @@ fn series(versine: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::vibration::Pendulum;
 
     #[test]
     fn the_forms_meet() {
