@@ -112,21 +112,8 @@ impl SetPiece {
     }
 }
 
-impl Expr {
-    /// The formula as typeset mathematics.
-    ///
-    /// Products stand side by side, quotients are fractions, time derivatives dots, and there are as few
-    /// parentheses as reading needs.
-    ///
-    /// ```
-    /// use vibank_formula::expr::{Expr, PlainNotation};
-    /// let mass = Expr::name("m");
-    /// let kinetic = mass * Expr::name("x").prime(1).squared() / Expr::number(2);
-    /// assert_eq!(kinetic.typeset(&PlainNotation).latex(), r"\frac{m\dot{x}^2}{2}");
-    /// ```
-    pub fn typeset(&self, notation: &dyn Notation) -> Math {
-        Setter { notation }.piece(self).math
-    }
+pub(crate) fn formula(expr: &Expr, notation: &dyn Notation) -> Math {
+    Setter { notation }.piece(expr).math
 }
 
 /// Sets formulas in a notation.
