@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use crate::unit::Unit;
+use crate::unit::{KnownUnit, Unit};
 
 /// Prefixes that people write; a list of all would be longer than the question.
 const PREFIXES: [&str; 8] = ["", "G", "M", "k", "c", "m", "µ", "n"];
@@ -32,7 +32,7 @@ pub(crate) fn accepted(own: &Unit) -> Vec<(String, f64)> {
             found.push((candidate, 1.0 / factor));
         }
     };
-    for known in Unit::known() {
+    for known in KnownUnit::all() {
         for symbol in known.symbols {
             let prefixes = if known.takes_prefixes {
                 &PREFIXES[..]

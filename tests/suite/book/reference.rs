@@ -10,7 +10,7 @@ use vibank::answer::AnswerKind;
 use vibank::diagnostic::codes::PAGES;
 use vibank::expr::Function;
 use vibank::mechanics::Model;
-use vibank::unit::Unit;
+use vibank::unit::KnownUnit;
 
 /// What the program prints to standard output, given these lines to read.
 fn printed(arguments: &[&str], typed: &str) -> String {
@@ -86,7 +86,7 @@ pub(super) fn units() -> String {
     let mut out = String::from(
         "| unit | written | words in responses | prefixes |\n| --- | --- | --- | --- |\n",
     );
-    for unit in Unit::known() {
+    for unit in KnownUnit::all() {
         let code = |texts: &[&str]| {
             let texts = texts.iter().map(|text| format!("`{text}`"));
             texts.collect::<Vec<_>>().join(" ")

@@ -7,168 +7,18 @@
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
-use super::{Constant, Expr, Function, Kind, Name, Operator};
+use super::{Expr, Kind, Operator};
 use vibank_dynamics::numerics::Rational;
 
 /// Powers of pure numbers are folded up to this exponent.
 // 2^64 still leaves half of the 128 bits of a numerator free.
 const MAX_FOLDED_EXPONENT: i128 = 64;
 
-impl Expr {
-    /// An exact pure number.
-    ///
-    /// ```
-    /// use vibank_formula::expr::Expr;
-    /// let (half, x) = (Expr::number(1) / Expr::number(2), Expr::name("x"));
-    /// assert_eq!(half.as_number().unwrap().to_string(), "1/2");
-    /// assert_eq!(Expr::number(0) + x.clone() * Expr::number(1), x);
-    /// ```
-    pub fn number(value: impl Into<Rational>) -> Self {
-        Self::derived(Kind::Number(value.into()))
-    }
-
-    /// A variable or parameter, by its name.
-    pub fn name(name: impl Into<Name>) -> Self {
-        Self::derived(Kind::Name(name.into()))
-    }
-
-    /// A reserved constant.
-    pub fn constant(constant: Constant) -> Self {
-        Self::derived(Kind::Constant(constant))
-    }
-
-    /// A function of arguments.
-    pub fn call(function: Function, arguments: impl Into<Vec<Self>>) -> Self {
-        Self::derived(Kind::Call(function, arguments.into()))
-    }
-
-    /// A vector, or a matrix as an array of rows.
-    pub fn array(entries: impl Into<Vec<Self>>) -> Self {
-        Self::derived(Kind::Array(entries.into()))
-    }
-
-    /// A time derivative of higher order: `x` becomes `x'`, `x'` becomes `x''`; the formula itself for order 0.
-    #[must_use]
-    pub fn prime(self, order: u8) -> Self {
-        match self.kind() {
-            _ if order == 0 => self,
-            Kind::Prime(inner, lower) => {
-                Self::derived(Kind::Prime(inner.clone(), lower.saturating_add(order)))
-            }
-            _ => Self::derived(Kind::Prime(self, order)),
-        }
-    }
-
-    /// The power with this exponent.
-    #[must_use]
-    pub fn power(self, exponent: Self) -> Self {
-        let (base, power) = (self.as_number(), exponent.as_number());
-        match (base, power) {
-            (_, Some(power)) if power == Rational::ONE => self,
-            (_, Some(power)) if power.is_zero() => Self::number(1),
-            (Some(base), _) if base == Rational::ONE => Self::number(1),
-            (Some(base), Some(power)) => match folded_power(base, power) {
-                Some(value) => Self::number(value),
-                None => binary(Operator::Power, self, exponent),
-            },
-            _ => binary(Operator::Power, self, exponent),
-        }
-    }
-
-    /// The square.
-    #[must_use]
-    pub fn squared(self) -> Self {
-        self.power(Self::number(2))
-    }
-
-    /// Its value if it is a pure number, possibly with a sign in front.
-    pub fn as_number(&self) -> Option<Rational> {
-        match self.kind() {
-            Kind::Number(value) => Some(*value),
-            Kind::Negate(inner) => inner.as_number().map(Neg::neg),
-            _ => None,
-        }
-    }
-
-    /// Whether it is the pure number 0.
-    pub fn is_zero(&self) -> bool {
-        self.as_number().is_some_and(Rational::is_zero)
-    }
-
-    /// Whether it is the pure number 1.
-    pub fn is_one(&self) -> bool {
-        self.as_number() == Some(Rational::ONE)
-    }
-
-    /// The same node over other operands: each child is replaced by `change`'s answer, places are kept.
-    ///
-    /// # Errors
-    ///
-    /// The first one of `change`.
-    pub fn try_map_children<E>(
-        &self,
-        change: &mut dyn FnMut(&Self) -> Result<Self, E>,
-    ) -> Result<Self, E> {
-        let mut unchanged = true;
-        let mut apply = |child: &Self| {
-            let changed = change(child)?;
-            unchanged &= changed.is_same(child);
-            Ok(changed)
-        };
-        let kind = self.kind().try_map_children(&mut apply)?;
-        Ok(if unchanged {
-            self.clone()
-        } else {
-            Self::new(kind, self.span())
-        })
-    }
-}
-
-impl Kind {
-    fn try_map_children<E>(
-        &self,
-        change: &mut dyn FnMut(&Expr) -> Result<Expr, E>,
-    ) -> Result<Self, E> {
-        let mut all = |list: &[Expr]| list.iter().map(&mut *change).collect::<Result<Vec<_>, E>>();
-        Ok(match self {
-            Self::Index(a, list) => {
-                let list = all(list)?;
-                Self::Index(change(a)?, list)
-            }
-            Self::Compare(list, relations) => Self::Compare(all(list)?, relations.clone()),
-            Self::Call(function, list) => Self::Call(*function, all(list)?),
-            Self::Array(list) => Self::Array(all(list)?),
-            Self::Prime(a, order) => Self::Prime(change(a)?, *order),
-            Self::Negate(a) => Self::Negate(change(a)?),
-            Self::Not(a) => Self::Not(change(a)?),
-            Self::Diff(a, names) => Self::Diff(change(a)?, names.clone()),
-            Self::Binary(operator, a, b) => Self::Binary(*operator, change(a)?, change(b)?),
-            Self::And(a, b) => Self::And(change(a)?, change(b)?),
-            Self::Or(a, b) => Self::Or(change(a)?, change(b)?),
-            Self::If(a, b, c) => Self::If(change(a)?, change(b)?, change(c)?),
-            Self::Root(a, name, b, c) => {
-                Self::Root(change(a)?, name.clone(), change(b)?, change(c)?)
-            }
-            Self::Integral(a, name, b, c) => {
-                Self::Integral(change(a)?, name.clone(), change(b)?, change(c)?)
-            }
-            Self::At(a, bound) => {
-                let bound = bound
-                    .iter()
-                    .map(|(name, value)| Ok((name.clone(), change(value)?)))
-                    .collect::<Result<_, E>>()?;
-                Self::At(change(a)?, bound)
-            }
-            _ => self.clone(),
-        })
-    }
-}
-
-fn binary(operator: Operator, left: Expr, right: Expr) -> Expr {
+pub(crate) fn binary(operator: Operator, left: Expr, right: Expr) -> Expr {
     Expr::derived(Kind::Binary(operator, left, right))
 }
 
-fn folded_power(base: Rational, power: Rational) -> Option<Rational> {
+pub(crate) fn folded_power(base: Rational, power: Rational) -> Option<Rational> {
     if !power.is_integer() || power.abs().numerator() > MAX_FOLDED_EXPONENT {
         return None;
     }

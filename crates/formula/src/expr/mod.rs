@@ -69,7 +69,7 @@ mod typeset;
 pub use check::{CheckError, Joint, Scope};
 pub use constant::fold;
 pub use function::Function;
-pub use names::Names;
+pub use names::{Name, Names, Path};
 pub use number::{Approx, Doubt, HyperDual, Precise, Real, Scalar, Undefined};
 pub use program::{
     Absence, Binder, Binding, CompileError, Inputs, Outcome, Program, Registers, Slots, Sweep,
@@ -81,6 +81,6 @@ pub use symbolic::sum_of_signed_terms;
 pub use symbolic::{
     Harmonic, Normal, Order, Substitution, SymbolicError, Variable, differentiate, time_derivative,
 };
-pub use tree::{Constant, Expr, Kind, Name, Operator, Path, Relation};
+pub use tree::{Constant, Expr, Kind, Operator, Relation};
 pub use types::{AnyDimension, Field, Form, Shape, Type};
 pub use typeset::{Notation, PlainNotation, Symbol, SymbolKind};

@@ -1,8 +1,75 @@
-//! The names of a formula.
+//! Names, paths into models, and which of them a formula uses.
 
 use std::collections::BTreeSet;
+use std::fmt;
+use std::sync::Arc;
 
-use super::{Expr, Kind, Name, Path, Variable};
+use super::{Expr, Kind, Variable};
+
+/// An identifier, `[A-Za-z][A-Za-z0-9_]*`; cheap to clone.
+#[derive(Clone, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct Name(Arc<str>);
+
+/// A dotted path into a model, `model.motion.x1` or `models.relative.M`.
+#[derive(Clone, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct Path(Arc<[Name]>);
+
+impl Name {
+    /// The name with these letters.
+    pub fn new(text: impl Into<Arc<str>>) -> Self {
+        Self(text.into())
+    }
+
+    /// Its letters.
+    pub fn as_str(&self) -> &str {
+        &self.0
+    }
+}
+
+impl Path {
+    /// The path of these names.
+    pub fn new(names: impl Into<Arc<[Name]>>) -> Self {
+        Self(names.into())
+    }
+
+    /// Its names, from `model` or `models` on.
+    pub fn names(&self) -> &[Name] {
+        &self.0
+    }
+}
+
+impl From<&str> for Name {
+    fn from(text: &str) -> Self {
+        Self::new(text)
+    }
+}
+
+impl fmt::Display for Name {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        formatter.write_str(self.as_str())
+    }
+}
+
+impl fmt::Debug for Name {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        formatter.write_str(self.as_str())
+    }
+}
+
+impl fmt::Display for Path {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        for (position, name) in self.names().iter().enumerate() {
+            write!(formatter, "{}{name}", if position == 0 { "" } else { "." })?;
+        }
+        Ok(())
+    }
+}
+
+impl fmt::Debug for Path {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        fmt::Display::fmt(self, formatter)
+    }
+}
 
 /// The names that a formula uses, free of what its operators bind: each once, sorted.
 ///
@@ -32,21 +99,13 @@ pub struct Names {
 }
 
 impl Names {
-    /// Whether a name, or a time derivative of it, is free.
-    pub fn uses(&self, name: &Name) -> bool {
-        self.free.iter().any(|variable| variable.name == *name)
-    }
-}
-
-impl Expr {
-    /// The names that the formula uses.
-    pub fn names(&self) -> Names {
+    pub(crate) fn of(expr: &Expr) -> Self {
         let mut collector = Collector::default();
-        collector.visit(self, 0);
+        collector.visit(expr, 0);
         let mut free = collector.free;
         vibank_dynamics::numerics::sort_by(&mut free, Ord::cmp);
         free.dedup();
-        Names {
+        Self {
             free: free
                 .into_iter()
                 .map(|(name, order)| Variable::of(name, order))
@@ -56,42 +115,9 @@ impl Expr {
         }
     }
 
-    /// Whether the formula has a free name, or a time derivative of it, for which `is_wanted` holds.
-    pub fn reaches(&self, is_wanted: impl Fn(&Name) -> bool) -> bool {
-        self.names()
-            .free
-            .iter()
-            .any(|variable| is_wanted(&variable.name))
-    }
-}
-
-impl Expr {
-    /// Whether the formula can be evaluated at complex values of its names, where it keeps its meaning: it has no
-    /// condition, no search, and only functions with a complex derivative.
-    ///
-    /// ```
-    /// use vibank_formula::expr::Expr;
-    ///
-    /// assert!(Expr::read("sqrt(k/m)*sin(omega*t)")?.is_analytic());
-    /// assert!(!Expr::read("abs(x) + floor(y)")?.is_analytic());
-    /// # Ok::<(), vibank_formula::expr::ReadError>(())
-    /// ```
-    pub fn is_analytic(&self) -> bool {
-        let mut is_analytic = true;
-        self.walk(&mut |node| {
-            is_analytic &= match node.kind() {
-                Kind::Call(function, _) => function.is_analytic(),
-                Kind::If(..)
-                | Kind::Compare(..)
-                | Kind::And(..)
-                | Kind::Or(..)
-                | Kind::Not(_)
-                | Kind::Root(..)
-                | Kind::Integral(..) => false,
-                _ => true,
-            };
-        });
-        is_analytic
+    /// Whether a name, or a time derivative of it, is free.
+    pub fn uses(&self, name: &Name) -> bool {
+        self.free.iter().any(|variable| variable.name == *name)
     }
 }
 

@@ -1,6 +1,6 @@
 //! What is written with two formulas: equations and intervals.
 
-use super::Expr;
+use super::{CheckError, Expr, ReadError, Scope, Type, check, read};
 use vibank_source::Span;
 
 /// An equation, `a = b`.
@@ -53,11 +53,47 @@ impl Equation {
     pub fn difference(&self) -> Expr {
         self.left.clone() - self.right.clone()
     }
+
+    /// The type of both sides.
+    ///
+    /// # Errors
+    ///
+    /// All that is wrong with them, by place.
+    pub fn check(&self, scope: &dyn Scope) -> Result<Type, Vec<CheckError>> {
+        check::equation(self, scope)
+    }
+
+    /// Reads `a = b`.
+    ///
+    /// # Errors
+    ///
+    /// As [`Expr::read`].
+    pub fn read(text: &str) -> Result<Self, ReadError> {
+        read::equation(text)
+    }
 }
 
 impl Interval {
     /// Where its bounds stand in its text.
     pub fn span(&self) -> Span {
         self.from.span().join(self.to.span())
+    }
+
+    /// The type of both ends.
+    ///
+    /// # Errors
+    ///
+    /// All that is wrong with them, by place.
+    pub fn check(&self, scope: &dyn Scope) -> Result<Type, Vec<CheckError>> {
+        check::interval(self, scope)
+    }
+
+    /// Reads `[a, b)` and kin; a round bracket leaves its end out, `inf` is not a bound.
+    ///
+    /// # Errors
+    ///
+    /// As [`Expr::read`].
+    pub fn read(text: &str) -> Result<Self, ReadError> {
+        read::interval(text)
     }
 }

@@ -2,12 +2,15 @@
 
 use std::fmt;
 use std::hash::{Hash, Hasher};
+use std::ops::Neg;
 use std::sync::Arc;
 
-use super::Function;
+use super::{CheckError, Function, Name, Names, Notation, Path, ReadError, Scope, Type};
+use super::{build, check, read, typeset};
 use crate::unit::Unit;
 use crate::work;
 use vibank_dynamics::numerics::Rational;
+use vibank_notation::Math;
 use vibank_source::Span;
 
 /// A formula: an immutable tree that is cheap to clone and to share.
@@ -118,14 +121,6 @@ pub enum Relation {
     NotEqual,
 }
 
-/// An identifier, `[A-Za-z][A-Za-z0-9_]*`; cheap to clone.
-#[derive(Clone, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub struct Name(Arc<str>);
-
-/// A dotted path into a model, `model.motion.x1` or `models.relative.M`.
-#[derive(Clone, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub struct Path(Arc<[Name]>);
-
 impl Expr {
     /// A node that stands at `span` in its text.
     pub fn new(kind: Kind, span: Span) -> Self {
@@ -209,6 +204,230 @@ impl Expr {
             open[first..].reverse();
         }
     }
+
+    /// The type of the formula.
+    ///
+    /// # Examples
+    ///
+    /// ```
+    /// use vibank_formula::expr::{Expr, Name, Scope, Type};
+    /// use vibank_formula::unit::Dimension;
+    ///
+    /// struct Spring;
+    ///
+    /// impl Scope for Spring {
+    ///     fn name(&self, name: &Name) -> Option<Type> {
+    ///         match name.as_str() {
+    ///             "m" => Some(Type::real(Dimension::MASS)),
+    ///             "k" => Some(Type::real(Dimension::FORCE / Dimension::LENGTH)),
+    ///             _ => None,
+    ///         }
+    ///     }
+    ///
+    ///     fn known(&self) -> Vec<String> {
+    ///         vec!["m".to_owned(), "k".to_owned()]
+    ///     }
+    /// }
+    ///
+    /// assert_eq!(Expr::read("sqrt(k/m)")?.check(&Spring).unwrap(), Type::real(Dimension::FREQUENCY));
+    /// let findings = Expr::read("k + m*c")?.check(&Spring).unwrap_err();
+    /// assert_eq!(findings[0].to_string(), "`c` is not known here");
+    /// let findings = Expr::read("exp(k) < 1 and k < m")?.check(&Spring).unwrap_err();
+    /// assert_eq!(findings[0].to_string(), "the argument of `exp` has to be a pure number, it is in N/m");
+    /// assert_eq!(findings[1].to_string(), "a comparison of N/m and kg");
+    /// # Ok::<(), vibank_formula::expr::ReadError>(())
+    /// ```
+    ///
+    /// # Errors
+    ///
+    /// All that is wrong with it, by place.
+    pub fn check(&self, scope: &dyn Scope) -> Result<Type, Vec<CheckError>> {
+        check::formula(self, scope)
+    }
+
+    /// Reads a formula of the strict grammar.
+    ///
+    /// # Examples
+    ///
+    /// ```
+    /// use vibank_formula::expr::Expr;
+    ///
+    /// let formula = Expr::read("-x^2")?;
+    /// assert_eq!(formula, Expr::read("-(x^2)")?);
+    /// assert_eq!(Expr::read("2 k").unwrap_err().to_string(), "no operator between `2` and `k`");
+    /// # Ok::<(), vibank_formula::expr::ReadError>(())
+    /// ```
+    ///
+    /// # Errors
+    ///
+    /// The first place at which the text departs from the grammar, or the bound that it passes.
+    pub fn read(text: &str) -> Result<Self, ReadError> {
+        read::formula(text)
+    }
+
+    /// The names that the formula uses.
+    pub fn names(&self) -> Names {
+        Names::of(self)
+    }
+
+    /// Whether the formula has a free name, or a time derivative of it, for which `is_wanted` holds.
+    pub fn reaches(&self, is_wanted: impl Fn(&Name) -> bool) -> bool {
+        self.names()
+            .free
+            .iter()
+            .any(|variable| is_wanted(&variable.name))
+    }
+
+    /// Whether the formula can be evaluated at complex values of its names, where it keeps its meaning: it has no
+    /// condition, no search, and only functions with a complex derivative.
+    ///
+    /// ```
+    /// use vibank_formula::expr::Expr;
+    ///
+    /// assert!(Expr::read("sqrt(k/m)*sin(omega*t)")?.is_analytic());
+    /// assert!(!Expr::read("abs(x) + floor(y)")?.is_analytic());
+    /// # Ok::<(), vibank_formula::expr::ReadError>(())
+    /// ```
+    pub fn is_analytic(&self) -> bool {
+        let mut is_analytic = true;
+        self.walk(&mut |node| {
+            is_analytic &= match node.kind() {
+                Kind::Call(function, _) => function.is_analytic(),
+                Kind::If(..)
+                | Kind::Compare(..)
+                | Kind::And(..)
+                | Kind::Or(..)
+                | Kind::Not(_)
+                | Kind::Root(..)
+                | Kind::Integral(..) => false,
+                _ => true,
+            };
+        });
+        is_analytic
+    }
+
+    /// The formula as typeset mathematics.
+    ///
+    /// Products stand side by side, quotients are fractions, time derivatives dots, and there are as few
+    /// parentheses as reading needs.
+    ///
+    /// ```
+    /// use vibank_formula::expr::{Expr, PlainNotation};
+    /// let mass = Expr::name("m");
+    /// let kinetic = mass * Expr::name("x").prime(1).squared() / Expr::number(2);
+    /// assert_eq!(kinetic.typeset(&PlainNotation).latex(), r"\frac{m\dot{x}^2}{2}");
+    /// ```
+    pub fn typeset(&self, notation: &dyn Notation) -> Math {
+        typeset::formula(self, notation)
+    }
+
+    /// An exact pure number.
+    ///
+    /// ```
+    /// use vibank_formula::expr::Expr;
+    /// let (half, x) = (Expr::number(1) / Expr::number(2), Expr::name("x"));
+    /// assert_eq!(half.as_number().unwrap().to_string(), "1/2");
+    /// assert_eq!(Expr::number(0) + x.clone() * Expr::number(1), x);
+    /// ```
+    pub fn number(value: impl Into<Rational>) -> Self {
+        Self::derived(Kind::Number(value.into()))
+    }
+
+    /// A variable or parameter, by its name.
+    pub fn name(name: impl Into<Name>) -> Self {
+        Self::derived(Kind::Name(name.into()))
+    }
+
+    /// A reserved constant.
+    pub fn constant(constant: Constant) -> Self {
+        Self::derived(Kind::Constant(constant))
+    }
+
+    /// A function of arguments.
+    pub fn call(function: Function, arguments: impl Into<Vec<Self>>) -> Self {
+        Self::derived(Kind::Call(function, arguments.into()))
+    }
+
+    /// A vector, or a matrix as an array of rows.
+    pub fn array(entries: impl Into<Vec<Self>>) -> Self {
+        Self::derived(Kind::Array(entries.into()))
+    }
+
+    /// A time derivative of higher order: `x` becomes `x'`, `x'` becomes `x''`; the formula itself for order 0.
+    #[must_use]
+    pub fn prime(self, order: u8) -> Self {
+        match self.kind() {
+            _ if order == 0 => self,
+            Kind::Prime(inner, lower) => {
+                Self::derived(Kind::Prime(inner.clone(), lower.saturating_add(order)))
+            }
+            _ => Self::derived(Kind::Prime(self, order)),
+        }
+    }
+
+    /// The power with this exponent.
+    #[must_use]
+    pub fn power(self, exponent: Self) -> Self {
+        let (base, power) = (self.as_number(), exponent.as_number());
+        match (base, power) {
+            (_, Some(power)) if power == Rational::ONE => self,
+            (_, Some(power)) if power.is_zero() => Self::number(1),
+            (Some(base), _) if base == Rational::ONE => Self::number(1),
+            (Some(base), Some(power)) => match build::folded_power(base, power) {
+                Some(value) => Self::number(value),
+                None => build::binary(Operator::Power, self, exponent),
+            },
+            _ => build::binary(Operator::Power, self, exponent),
+        }
+    }
+
+    /// The square.
+    #[must_use]
+    pub fn squared(self) -> Self {
+        self.power(Self::number(2))
+    }
+
+    /// Its value if it is a pure number, possibly with a sign in front.
+    pub fn as_number(&self) -> Option<Rational> {
+        match self.kind() {
+            Kind::Number(value) => Some(*value),
+            Kind::Negate(inner) => inner.as_number().map(Neg::neg),
+            _ => None,
+        }
+    }
+
+    /// Whether it is the pure number 0.
+    pub fn is_zero(&self) -> bool {
+        self.as_number().is_some_and(Rational::is_zero)
+    }
+
+    /// Whether it is the pure number 1.
+    pub fn is_one(&self) -> bool {
+        self.as_number() == Some(Rational::ONE)
+    }
+
+    /// The same node over other operands: each child is replaced by `change`'s answer, places are kept.
+    ///
+    /// # Errors
+    ///
+    /// The first one of `change`.
+    pub fn try_map_children<E>(
+        &self,
+        change: &mut dyn FnMut(&Self) -> Result<Self, E>,
+    ) -> Result<Self, E> {
+        let mut unchanged = true;
+        let mut apply = |child: &Self| {
+            let changed = change(child)?;
+            unchanged &= changed.is_same(child);
+            Ok(changed)
+        };
+        let kind = self.kind().try_map_children(&mut apply)?;
+        Ok(if unchanged {
+            self.clone()
+        } else {
+            Self::new(kind, self.span())
+        })
+    }
 }
 
 impl Kind {
@@ -236,6 +455,44 @@ impl Kind {
                 .for_each(visit),
         }
     }
+
+    fn try_map_children<E>(
+        &self,
+        change: &mut dyn FnMut(&Expr) -> Result<Expr, E>,
+    ) -> Result<Self, E> {
+        let mut all = |list: &[Expr]| list.iter().map(&mut *change).collect::<Result<Vec<_>, E>>();
+        Ok(match self {
+            Self::Index(a, list) => {
+                let list = all(list)?;
+                Self::Index(change(a)?, list)
+            }
+            Self::Compare(list, relations) => Self::Compare(all(list)?, relations.clone()),
+            Self::Call(function, list) => Self::Call(*function, all(list)?),
+            Self::Array(list) => Self::Array(all(list)?),
+            Self::Prime(a, order) => Self::Prime(change(a)?, *order),
+            Self::Negate(a) => Self::Negate(change(a)?),
+            Self::Not(a) => Self::Not(change(a)?),
+            Self::Diff(a, names) => Self::Diff(change(a)?, names.clone()),
+            Self::Binary(operator, a, b) => Self::Binary(*operator, change(a)?, change(b)?),
+            Self::And(a, b) => Self::And(change(a)?, change(b)?),
+            Self::Or(a, b) => Self::Or(change(a)?, change(b)?),
+            Self::If(a, b, c) => Self::If(change(a)?, change(b)?, change(c)?),
+            Self::Root(a, name, b, c) => {
+                Self::Root(change(a)?, name.clone(), change(b)?, change(c)?)
+            }
+            Self::Integral(a, name, b, c) => {
+                Self::Integral(change(a)?, name.clone(), change(b)?, change(c)?)
+            }
+            Self::At(a, bound) => {
+                let bound = bound
+                    .iter()
+                    .map(|(name, value)| Ok((name.clone(), change(value)?)))
+                    .collect::<Result<_, E>>()?;
+                Self::At(change(a)?, bound)
+            }
+            _ => self.clone(),
+        })
+    }
 }
 
 impl PartialEq for Expr {
@@ -255,62 +512,5 @@ impl Hash for Expr {
 impl fmt::Debug for Expr {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         self.0.kind.fmt(formatter)
-    }
-}
-
-impl Name {
-    /// The name with these letters.
-    pub fn new(text: impl Into<Arc<str>>) -> Self {
-        Self(text.into())
-    }
-
-    /// Its letters.
-    pub fn as_str(&self) -> &str {
-        &self.0
-    }
-}
-
-impl Path {
-    /// The path of these names.
-    pub fn new(names: impl Into<Arc<[Name]>>) -> Self {
-        Self(names.into())
-    }
-
-    /// Its names, from `model` or `models` on.
-    pub fn names(&self) -> &[Name] {
-        &self.0
-    }
-}
-
-impl From<&str> for Name {
-    fn from(text: &str) -> Self {
-        Self::new(text)
-    }
-}
-
-impl fmt::Display for Name {
-    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
-        formatter.write_str(self.as_str())
-    }
-}
-
-impl fmt::Debug for Name {
-    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
-        formatter.write_str(self.as_str())
-    }
-}
-
-impl fmt::Display for Path {
-    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
-        for (position, name) in self.names().iter().enumerate() {
-            write!(formatter, "{}{name}", if position == 0 { "" } else { "." })?;
-        }
-        Ok(())
-    }
-}
-
-impl fmt::Debug for Path {
-    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
-        fmt::Display::fmt(self, formatter)
     }
 }

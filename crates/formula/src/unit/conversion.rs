@@ -37,14 +37,9 @@ pub struct Conversion {
     turns: Rational,
 }
 
-impl Unit {
-    /// How a value written in this unit becomes the SI value of a quantity declared in `declared`.
-    ///
-    /// # Errors
-    ///
-    /// If the dimensions differ.
-    pub fn conversion(&self, declared: &Self) -> Result<Conversion, DimensionMismatch> {
-        let (found, expected) = (self.dimension(), declared.dimension());
+impl Conversion {
+    pub(crate) fn between(written: &Unit, declared: &Unit) -> Result<Self, DimensionMismatch> {
+        let (found, expected) = (written.dimension(), declared.dimension());
         let mismatch = DimensionMismatch { found, expected };
         if found != expected {
             return Err(mismatch);
@@ -56,24 +51,24 @@ impl Unit {
                 Rational::ZERO
             }
         };
-        let turns = match (self.angle(), declared.angle()) {
+        let turns = match (written.angle(), declared.angle()) {
             (Angle::Bare, _) | (_, Angle::Bare) => Rational::ZERO,
             (written, declared) => cycles(written)
                 .checked_add(cycles(declared).negated())
                 .ok_or(mismatch)?,
         };
         if turns.is_zero() {
-            return Ok(Conversion {
-                scale: self.scale(),
+            return Ok(Self {
+                scale: written.scale(),
                 turns,
             });
         }
-        let scale = self.scale().times(Scale::TURN.pow(turns).ok_or(mismatch)?);
-        Ok(Conversion { scale, turns })
+        let scale = written
+            .scale()
+            .times(Scale::TURN.pow(turns).ok_or(mismatch)?);
+        Ok(Self { scale, turns })
     }
-}
 
-impl Conversion {
     /// Whether cycles became radians or the other way round.
     pub const fn applies_two_pi(&self) -> bool {
         !self.turns.is_zero()

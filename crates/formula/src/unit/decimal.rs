@@ -1,13 +1,17 @@
 //! Exact decimals: the numbers that people write.
 
+use std::cmp::Ordering;
 use std::fmt;
+use std::hash::{Hash, Hasher};
 
 use serde::{Deserialize, Serialize};
+use vibank_notation::Math;
 
 use super::error::{Error, ErrorKind};
 use super::notation::DecimalMark;
 use super::scale::{Scale, TENS};
 use super::wide::Wide;
+use super::{spoken, text, typeset};
 
 /// A decimal number, exact and as it was written: `2.50` has two decimals and stays so.
 ///
@@ -325,6 +329,90 @@ impl Decimal {
             ..self
         }
     }
+
+    /// As people write it, in Unicode: `−2.50`, `3×10⁻⁴`.
+    ///
+    /// # Examples
+    ///
+    /// ```
+    /// use vibank_formula::unit::{Decimal, DecimalMark};
+    /// assert_eq!(Decimal::parse("-1.6e-4").unwrap().text(DecimalMark::Comma), "−1,6×10⁻⁴");
+    /// ```
+    pub fn text(&self, mark: DecimalMark) -> String {
+        text::decimal(self, mark)
+    }
+
+    /// Typeset: `3 × 10⁻⁴` with a minus sign before it if need be.
+    pub fn math(&self, mark: DecimalMark) -> Math {
+        typeset::decimal(self, mark)
+    }
+
+    /// In English words where signs are not spoken: `minus 1.6 times 10 to the minus 4`.
+    pub fn spoken(&self, mark: DecimalMark) -> String {
+        spoken::decimal(self, mark)
+    }
+
+    /// The exact sum, with as many decimals as the longer one, if it fits.
+    pub fn checked_add(self, other: Self) -> Option<Self> {
+        let exponent = self.exponent().min(other.exponent());
+        let signed = |number: Self| {
+            let digits =
+                i128::try_from(digits_at(number.digits(), number.exponent(), exponent)?).ok()?;
+            Some(if number.is_negative() {
+                -digits
+            } else {
+                digits
+            })
+        };
+        let sum = signed(self)?.checked_add(signed(other)?)?;
+        Self::of_parts(sum < 0, sum.unsigned_abs(), exponent, false)
+    }
+
+    /// The exact difference, if it fits.
+    pub fn checked_sub(self, other: Self) -> Option<Self> {
+        self.checked_add(other.negated())
+    }
+
+    /// The exact product, if it fits.
+    pub fn checked_mul(self, other: Self) -> Option<Self> {
+        let digits = self.digits().checked_mul(other.digits())?;
+        Self::of_parts(
+            self.is_negative() != other.is_negative(),
+            digits,
+            self.exponent() + other.exponent(),
+            false,
+        )
+    }
+
+    /// The same number with this many decimals, if no digit other than 0 is lost.
+    ///
+    /// ```
+    /// use vibank_formula::unit::Decimal;
+    /// let value = Decimal::parse("2.5").unwrap();
+    /// assert_eq!(value.with_decimals(2).unwrap().to_string(), "2.50");
+    /// assert_eq!(value.with_decimals(0), None);
+    /// ```
+    pub fn with_decimals(self, decimals: u32) -> Option<Self> {
+        let exponent = -i32::try_from(decimals).ok()?;
+        let (digits, own) = self.trimmed();
+        let digits = digits_at(digits, own, exponent)?;
+        Self::of_parts(self.is_negative(), digits, exponent, false)
+    }
+
+    /// How often `step` goes into this number, if it does so an integer number of times.
+    pub(crate) fn whole_ratio(self, step: Self) -> Option<u64> {
+        let exponent = self.exponent().min(step.exponent());
+        let (digits, step_digits) = (
+            digits_at(self.digits(), self.exponent(), exponent)?,
+            digits_at(step.digits(), step.exponent(), exponent)?,
+        );
+        let whole = step_digits > 0
+            && digits % step_digits == 0
+            && (digits == 0 || self.is_negative() == step.is_negative());
+        whole
+            .then(|| u64::try_from(digits / step_digits).ok())
+            .flatten()
+    }
 }
 
 impl From<u32> for Decimal {
@@ -367,150 +455,68 @@ impl fmt::Debug for Decimal {
     }
 }
 
-#[cfg(test)]
-mod tests {
-    use proptest::prelude::*;
-
-    use super::*;
-
-    fn decimal(text: &str) -> Decimal {
-        Decimal::parse(text).unwrap_or_else(|error| panic!("`{text}`: {error}"))
+/// The digits that a number has when the last one has the power `wanted`, which is not above the own one.
+fn digits_at(digits: u128, own: i32, wanted: i32) -> Option<u128> {
+    if digits == 0 {
+        return Some(0);
     }
+    let shift = u32::try_from(own - wanted).ok()?;
+    digits.checked_mul(10_u128.checked_pow(shift)?)
+}
 
-    #[test]
-    fn numbers_stay_as_they_are_written() {
-        for text in [
-            "0",
-            "0.00",
-            "2.50",
-            "-0.125",
-            "1200",
-            "1.60e-2",
-            "3e4",
-            "-1e-300",
-            "12345678901234567890123456789012345678",
-        ] {
-            assert_eq!(decimal(text).to_string(), text);
-        }
-        for (text, printed) in [
-            ("+5", "5"),
-            ("-0", "0"),
-            ("05.10", "5.10"),
-            ("12.5e3", "1.25e4"),
-            ("0e7", "0"),
-            ("0.0e-240", "0.00000000000000000000000000000000000000"),
-        ] {
-            assert_eq!(decimal(text).to_string(), printed);
-        }
-    }
-
-    #[test]
-    fn bounds_are_refused_with_a_message() {
-        for (text, message) in [
-            ("", "a number is missing"),
-            ("1e400", "the value is out of range"),
-            ("1e-301", "the value is out of range"),
-            ("1e99999999999999999999", "the value is out of range"),
-            (
-                "123456789012345678901234567890123456789",
-                "more than 38 significant digits",
-            ),
-            ("NaN", "`NaN` is not a number"),
-            ("inf", "`inf` is not a number"),
-            ("1.", "`1.` is not a number"),
-            (".5", "`.5` is not a number"),
-            ("1e", "`1e` is not a number"),
-            ("0x10", "`0x10` is not a number"),
-        ] {
-            assert_eq!(
-                Decimal::parse(text).unwrap_err().to_string(),
-                message,
-                "`{text}`"
-            );
-        }
-        assert!(Decimal::parse(&"1".repeat(10_000_000)).is_err());
-    }
-
-    /// Digits from the exact binary values, by Python's `decimal`.
-    #[test]
-    fn computed_numbers_are_rounded_from_their_exact_value() {
-        for (value, figures, printed) in [
-            (2.5, 1, "2"),
-            (0.125, 2, "0.12"),
-            (1.005, 3, "1.00"),
-            (9.995, 3, "9.99"),
-            (0.1, 20, "0.10000000000000000555"),
-            (123_456.0, 4, "1.235e5"),
-            (2.675, 3, "2.67"),
-            (999.6, 3, "1.00e3"),
-            (0.000_999_6, 3, "0.00100"),
-            (0.000_999_4, 3, "9.99e-4"),
-            (-158.0, 2, "-160"),
-            (1e22, 5, "1.0000e22"),
-        ] {
-            assert_eq!(
-                Decimal::rounded(value, figures).unwrap().to_string(),
-                printed
-            );
-        }
-        for value in [f64::NAN, f64::INFINITY, 5e-324, 1e305] {
-            assert_eq!(Decimal::rounded(value, 3), None);
-        }
-    }
-
-    prop_compose! {
-        fn written()(sign in "-?", whole in "[0-9]{1,17}", tenths in "([.][0-9]{1,17})?", power in prop::option::of(-250_i32..250)) -> String {
-            format!("{sign}{whole}{tenths}{}", power.map(|power| format!("e{power}")).unwrap_or_default())
-        }
-    }
-
-    proptest! {
-        #[test]
-        fn values_agree_with_the_library(text in written()) {
-            prop_assert_eq!(decimal(&text).to_f64(), text.parse::<f64>().unwrap());
-        }
-
-        #[test]
-        fn reading_inverts_printing(text in written()) {
-            let value = decimal(&text);
-            prop_assert_eq!(value.to_string(), decimal(&value.to_string()).to_string());
-            prop_assert_eq!(value, decimal(&value.to_string()));
-            for mark in [DecimalMark::Point, DecimalMark::Comma] {
-                let people = value.text(mark);
-                match Decimal::read(&people, mark) {
-                    Ok(read) => prop_assert_eq!(read, (value, people.len())),
-                    Err(error) => prop_assert!(false, "{}: {}", people, error),
-                }
+impl Ord for Decimal {
+    fn cmp(&self, other: &Self) -> Ordering {
+        let sign = |number: &Self| {
+            if number.is_zero() {
+                0
+            } else {
+                1 - 2 * i8::from(number.is_negative())
             }
+        };
+        let by_sign = sign(self).cmp(&sign(other));
+        if by_sign.is_ne() || self.is_zero() {
+            return by_sign;
         }
-
-        #[test]
-        fn pairs_hold_what_is_left(text in written()) {
-            let value = decimal(&text);
-            let (high, low) = value.to_pair();
-            prop_assert_eq!(high, value.to_f64());
-            prop_assert_eq!(high + low, high);
-            // With the exact value of the first number, the decimal leaves the second, to 30 digits and more.
-            let (Some(exact), Some(rest)) = (Decimal::rounded(high, 30), Decimal::rounded(low, 15)) else { return Ok(()) };
-            if let Some(left) = value.checked_sub(exact).filter(|_| exact.to_pair().1 == 0.0 && low != 0.0) {
-                let difference = (left.to_f64() - rest.to_f64()).abs();
-                prop_assert!(difference <= 1e-14 * low.abs(), "{} {}", left, rest);
-            }
-        }
-
-        #[test]
-        fn shortest_reads_back(value in any::<f64>()) {
-            if let Some(shortest) = Decimal::shortest(value) {
-                prop_assert_eq!(shortest.to_f64(), value);
-                prop_assert_eq!(Decimal::rounded(value, 17).unwrap().to_f64(), value);
-            }
-        }
-
-        #[test]
-        fn any_text_is_read_or_refused_in_place(text in any::<String>()) {
-            for error in [Decimal::parse(&text).err(), Decimal::read(&text, DecimalMark::Point).err()].into_iter().flatten() {
-                prop_assert!(text.get(error.span).is_some());
-            }
+        // Of equal magnitude, so the shorter one can be brought to the length of the longer.
+        let exponent = self.exponent().min(other.exponent());
+        let by_digits = || {
+            digits_at(self.digits(), self.exponent(), exponent).cmp(&digits_at(
+                other.digits(),
+                other.exponent(),
+                exponent,
+            ))
+        };
+        let by_size = self
+            .magnitude()
+            .cmp(&other.magnitude())
+            .then_with(by_digits);
+        if self.is_negative() {
+            by_size.reverse()
+        } else {
+            by_size
         }
     }
 }
+
+impl PartialOrd for Decimal {
+    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
+        Some(self.cmp(other))
+    }
+}
+
+impl PartialEq for Decimal {
+    fn eq(&self, other: &Self) -> bool {
+        self.cmp(other).is_eq()
+    }
+}
+
+impl Eq for Decimal {}
+
+impl Hash for Decimal {
+    fn hash<H: Hasher>(&self, state: &mut H) {
+        (self.is_negative(), self.trimmed()).hash(state);
+    }
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,6 +1,5 @@
 //! The list of units, for those who want to know what can be typed.
 
-use super::Unit;
 use super::table::ROWS;
 
 /// A unit of the table.
@@ -16,17 +15,17 @@ pub struct KnownUnit {
     pub takes_prefixes: bool,
 }
 
-impl Unit {
+impl KnownUnit {
     /// All units.
     ///
     /// ```
-    /// use vibank_formula::unit::Unit;
-    /// let newton = Unit::known().find(|unit| unit.printed == "N").unwrap();
+    /// use vibank_formula::unit::{KnownUnit, Unit};
+    /// let newton = KnownUnit::all().find(|unit| unit.printed == "N").unwrap();
     /// assert!(newton.takes_prefixes);
     /// assert!(newton.symbols.iter().all(|symbol| Unit::parse(symbol).is_ok()));
     /// ```
-    pub fn known() -> impl Iterator<Item = KnownUnit> {
-        ROWS.iter().map(|row| KnownUnit {
+    pub fn all() -> impl Iterator<Item = Self> {
+        ROWS.iter().map(|row| Self {
             printed: row.print,
             symbols: row.symbols,
             words: row.words,

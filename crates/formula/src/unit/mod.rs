@@ -38,7 +38,6 @@
 //! assert_eq!(printed.text(DecimalMark::Point), "15.0 mm");
 //! ```
 
-mod arithmetic;
 mod conversion;
 mod decimal;
 mod dimension;

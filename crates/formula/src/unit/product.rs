@@ -4,14 +4,16 @@ use std::fmt;
 use std::sync::LazyLock;
 
 use serde::{Deserialize, Serialize};
+use vibank_notation::{Math, Voice};
 
+use super::conversion::Conversion;
 use super::dimension::Dimension;
-use super::error::Error;
+use super::error::{DimensionMismatch, Error};
 use super::factor::{Builder, Factor, MAX_FACTORS};
 use super::rational::Rational;
 use super::scale::Scale;
 use super::table::Turning;
-use super::{lenient, strict};
+use super::{lenient, spoken, strict, text, typeset};
 
 /// A unit as it was written, `N m/rad`: what it measures, its exact factor to SI, and how it counts angles.
 ///
@@ -370,6 +372,63 @@ impl Unit {
             factor.power.is_negative()
         });
         raised.finish().ok()
+    }
+
+    /// As people write it, in Unicode: `N·m/rad`, `m/s²`, `s⁻¹`, `kΩ`, `°`; nothing for pure numbers.
+    ///
+    /// # Examples
+    ///
+    /// ```
+    /// use vibank_formula::unit::Unit;
+    /// assert_eq!(Unit::parse("kg m^2").unwrap().text(), "kg·m²");
+    /// assert_eq!(Unit::parse("uF").unwrap().text(), "µF");
+    /// assert_eq!(Unit::parse("1/s^2").unwrap().text(), "s⁻²");
+    /// assert_eq!(Unit::parse("kg^(-1/2)").unwrap().text(), "kg^(−1/2)");
+    /// ```
+    pub fn text(&self) -> String {
+        text::unit(self)
+    }
+
+    /// Typeset upright, with thin spaces between factors.
+    ///
+    /// # Examples
+    ///
+    /// ```
+    /// use vibank_formula::unit::Unit;
+    ///
+    /// let latex = |unit| Unit::parse(unit).unwrap().math().latex();
+    /// assert_eq!(latex("N m/rad"), r"\mathrm{N}\,\mathrm{m}/\mathrm{rad}");
+    /// assert_eq!(latex("1/s"), r"\mathrm{s}^{-1}");
+    /// ```
+    pub fn math(&self) -> Math {
+        typeset::unit(self)
+    }
+
+    /// In words, for one or for several: `newton metres per radian`.
+    ///
+    /// # Examples
+    ///
+    /// ```
+    /// use vibank_formula::unit::Unit;
+    /// use vibank_notation::Voice;
+    ///
+    /// let spoken = |unit| Unit::parse(unit).unwrap().spoken(true, Voice::ENGLISH);
+    /// assert_eq!(spoken("N m/rad"), "newton metres per radian");
+    /// assert_eq!(spoken("m/s^2"), "metres per second squared");
+    /// assert_eq!(spoken("kHz"), "kilohertz");
+    /// assert_eq!(spoken("1/s"), "per second");
+    /// ```
+    pub fn spoken(&self, several: bool, voice: &Voice) -> String {
+        spoken::unit(self, several, voice)
+    }
+
+    /// How a value written in this unit becomes the SI value of a quantity declared in `declared`.
+    ///
+    /// # Errors
+    ///
+    /// If the dimensions differ.
+    pub fn conversion(&self, declared: &Self) -> Result<Conversion, DimensionMismatch> {
+        Conversion::between(self, declared)
     }
 }
 

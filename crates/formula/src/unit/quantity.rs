@@ -3,6 +3,7 @@
 use std::fmt;
 
 use serde::{Deserialize, Serialize};
+use vibank_notation::Math;
 
 use super::conversion::Conversion;
 use super::decimal::Decimal;
@@ -10,7 +11,7 @@ use super::error::{DimensionMismatch, Error, ErrorKind};
 use super::notation::DecimalMark;
 use super::product::Unit;
 use super::scanner::Scanner;
-use super::{lenient, number, strict};
+use super::{lenient, number, spoken, strict, text, typeset};
 
 /// A value with its unit, `12.5 cm`, kept as it was written; a pure number has the unit [`Unit::ONE`].
 ///
@@ -165,6 +166,51 @@ impl Quantity {
     /// ```
     pub fn si_for(&self, declared: &Unit) -> Result<f64, DimensionMismatch> {
         Ok(self.conversion(declared)?.apply_decimal(&self.value))
+    }
+
+    /// As people write it, in Unicode: `2.0 kg`, `3×10⁻⁴ m/s²`, `30°`.
+    ///
+    /// # Examples
+    ///
+    /// ```
+    /// use vibank_formula::unit::{DecimalMark, Quantity};
+    /// let text = |quantity| Quantity::parse(quantity).unwrap().text(DecimalMark::Point);
+    /// assert_eq!(text("3e-4 N m/rad"), "3×10⁻⁴ N·m/rad");
+    /// assert_eq!(text("30 deg"), "30°");
+    /// ```
+    pub fn text(&self, mark: DecimalMark) -> String {
+        text::quantity(self, mark)
+    }
+
+    /// Typeset: the number, a thin space and the unit; the sign of degrees is raised right after the number.
+    ///
+    /// # Examples
+    ///
+    /// ```
+    /// use vibank_formula::unit::{DecimalMark, Quantity};
+    ///
+    /// let latex = |text| Quantity::parse(text).unwrap().math(DecimalMark::Point).latex();
+    /// assert_eq!(latex("-2.50 kg m^2"), r"-2.50\,\mathrm{kg}\,\mathrm{m}^2");
+    /// assert_eq!(latex("30 deg"), r"30^\circ");
+    /// ```
+    pub fn math(&self, mark: DecimalMark) -> Math {
+        typeset::quantity(self, mark)
+    }
+
+    /// In English words: `2.0 kilograms`, `1 newton metre`.
+    ///
+    /// # Examples
+    ///
+    /// ```
+    /// use vibank_formula::unit::{DecimalMark, Quantity};
+    ///
+    /// let spoken = |text| Quantity::parse(text).unwrap().spoken(DecimalMark::Point);
+    /// assert_eq!(spoken("2.0 kg"), "2.0 kilograms");
+    /// assert_eq!(spoken("1 kN m"), "1 kilonewton metre");
+    /// assert_eq!(spoken("-3e-4 m"), "minus 3 times 10 to the minus 4 metres");
+    /// ```
+    pub fn spoken(&self, mark: DecimalMark) -> String {
+        spoken::quantity(self, mark)
     }
 }
 

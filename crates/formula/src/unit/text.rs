@@ -53,31 +53,18 @@ fn written(unit: &Unit, between: char, write: impl Fn(&mut String, &Factor, Rati
     text
 }
 
-impl Unit {
-    /// As people write it, in Unicode: `N·m/rad`, `m/s²`, `s⁻¹`, `kΩ`, `°`; nothing for pure numbers.
-    ///
-    /// # Examples
-    ///
-    /// ```
-    /// use vibank_formula::unit::Unit;
-    /// assert_eq!(Unit::parse("kg m^2").unwrap().text(), "kg·m²");
-    /// assert_eq!(Unit::parse("uF").unwrap().text(), "µF");
-    /// assert_eq!(Unit::parse("1/s^2").unwrap().text(), "s⁻²");
-    /// assert_eq!(Unit::parse("kg^(-1/2)").unwrap().text(), "kg^(−1/2)");
-    /// ```
-    pub fn text(&self) -> String {
-        if self.above().next().is_some() {
-            return written(self, '·', push_factor);
-        }
-        let mut text = String::new();
-        for factor in self.below() {
-            if !text.is_empty() {
-                text.push('·');
-            }
-            push_factor(&mut text, factor, factor.power);
-        }
-        text
+pub(crate) fn unit(unit: &Unit) -> String {
+    if unit.above().next().is_some() {
+        return written(unit, '·', push_factor);
     }
+    let mut text = String::new();
+    for factor in unit.below() {
+        if !text.is_empty() {
+            text.push('·');
+        }
+        push_factor(&mut text, factor, factor.power);
+    }
+    text
 }
 
 fn push_factor(text: &mut String, factor: &Factor, power: Rational) {
@@ -102,48 +89,26 @@ fn push_raised(text: &mut String, power: i32) {
     }
 }
 
-impl Decimal {
-    /// As people write it, in Unicode: `−2.50`, `3×10⁻⁴`.
-    ///
-    /// # Examples
-    ///
-    /// ```
-    /// use vibank_formula::unit::{Decimal, DecimalMark};
-    /// assert_eq!(Decimal::parse("-1.6e-4").unwrap().text(DecimalMark::Comma), "−1,6×10⁻⁴");
-    /// ```
-    pub fn text(&self, mark: DecimalMark) -> String {
-        let (mut text, power) = figures::size(self, mark);
-        if self.is_negative() {
-            text.insert(0, '−');
-        }
-        if let Some(power) = power {
-            text.push_str("×10");
-            push_raised(&mut text, power);
-        }
-        text
+pub(crate) fn decimal(decimal: &Decimal, mark: DecimalMark) -> String {
+    let (mut text, power) = figures::size(decimal, mark);
+    if decimal.is_negative() {
+        text.insert(0, '−');
     }
+    if let Some(power) = power {
+        text.push_str("×10");
+        push_raised(&mut text, power);
+    }
+    text
 }
 
-impl Quantity {
-    /// As people write it, in Unicode: `2.0 kg`, `3×10⁻⁴ m/s²`, `30°`.
-    ///
-    /// # Examples
-    ///
-    /// ```
-    /// use vibank_formula::unit::{DecimalMark, Quantity};
-    /// let text = |quantity| Quantity::parse(quantity).unwrap().text(DecimalMark::Point);
-    /// assert_eq!(text("3e-4 N m/rad"), "3×10⁻⁴ N·m/rad");
-    /// assert_eq!(text("30 deg"), "30°");
-    /// ```
-    pub fn text(&self, mark: DecimalMark) -> String {
-        let (number, unit) = (self.value.text(mark), self.unit.text());
-        let space = if unit.is_empty() || touches(&self.unit) {
-            ""
-        } else {
-            " "
-        };
-        format!("{number}{space}{unit}")
-    }
+pub(crate) fn quantity(quantity: &Quantity, mark: DecimalMark) -> String {
+    let (number, unit) = (quantity.value.text(mark), quantity.unit.text());
+    let space = if unit.is_empty() || touches(&quantity.unit) {
+        ""
+    } else {
+        " "
+    };
+    format!("{number}{space}{unit}")
 }
 
 /// Whether a unit stands right after its number, as the signs of degree, minute and second do.

@@ -13,11 +13,8 @@ use vibank_notation::{Class, Math, Style};
 /// A thin space, in eighteenths of an em.
 const THIN: Math = Math::Space(3);
 
-impl Decimal {
-    /// Typeset: `3 × 10⁻⁴` with a minus sign before it if need be.
-    pub fn math(&self, mark: DecimalMark) -> Math {
-        row_of(pieces(self, mark))
-    }
+pub(crate) fn decimal(decimal: &Decimal, mark: DecimalMark) -> Math {
+    row_of(pieces(decimal, mark))
 }
 
 fn pieces(decimal: &Decimal, mark: DecimalMark) -> Vec<Math> {
@@ -38,64 +35,38 @@ fn pieces(decimal: &Decimal, mark: DecimalMark) -> Vec<Math> {
     row
 }
 
-impl Unit {
-    /// Typeset upright, with thin spaces between factors.
-    ///
-    /// # Examples
-    ///
-    /// ```
-    /// use vibank_formula::unit::Unit;
-    ///
-    /// let latex = |unit| Unit::parse(unit).unwrap().math().latex();
-    /// assert_eq!(latex("N m/rad"), r"\mathrm{N}\,\mathrm{m}/\mathrm{rad}");
-    /// assert_eq!(latex("1/s"), r"\mathrm{s}^{-1}");
-    /// ```
-    pub fn math(&self) -> Math {
-        let mut row = product(self.above(), false);
-        if row.is_empty() {
-            return row_of(product(self.below(), false));
-        }
-        let below = product(self.below(), true);
-        if !below.is_empty() {
-            row.push(operator("/", Class::Ordinary));
-        }
-        match self.below().count() {
-            0 | 1 => row.extend(below),
-            _ => row.push(parentheses(row_of(below))),
-        }
-        row_of(row)
+pub(crate) fn unit(unit: &Unit) -> Math {
+    let mut row = product(unit.above(), false);
+    if row.is_empty() {
+        return row_of(product(unit.below(), false));
     }
+    let below = product(unit.below(), true);
+    if !below.is_empty() {
+        row.push(operator("/", Class::Ordinary));
+    }
+    match unit.below().count() {
+        0 | 1 => row.extend(below),
+        _ => row.push(parentheses(row_of(below))),
+    }
+    row_of(row)
 }
 
-impl Quantity {
-    /// Typeset: the number, a thin space and the unit; the sign of degrees is raised right after the number.
-    ///
-    /// # Examples
-    ///
-    /// ```
-    /// use vibank_formula::unit::{DecimalMark, Quantity};
-    ///
-    /// let latex = |text| Quantity::parse(text).unwrap().math(DecimalMark::Point).latex();
-    /// assert_eq!(latex("-2.50 kg m^2"), r"-2.50\,\mathrm{kg}\,\mathrm{m}^2");
-    /// assert_eq!(latex("30 deg"), r"30^\circ");
-    /// ```
-    pub fn math(&self, mark: DecimalMark) -> Math {
-        let mut row = pieces(&self.value, mark);
-        let mut unit = match self.unit.math() {
-            Math::Row(unit) => unit,
-            single => vec![single],
-        };
-        if unit.first() == Some(&operator(DEGREE, Class::Ordinary)) {
-            unit[0] = script(
-                row.pop().unwrap_or(Math::Row(Vec::new())),
-                operator("∘", Class::Ordinary),
-            );
-        } else if !self.unit.is_one() && !touches(&self.unit) {
-            row.push(THIN);
-        }
-        row.extend(unit);
-        row_of(row)
+pub(crate) fn quantity(quantity: &Quantity, mark: DecimalMark) -> Math {
+    let mut row = pieces(&quantity.value, mark);
+    let mut unit = match quantity.unit.math() {
+        Math::Row(unit) => unit,
+        single => vec![single],
+    };
+    if unit.first() == Some(&operator(DEGREE, Class::Ordinary)) {
+        unit[0] = script(
+            row.pop().unwrap_or(Math::Row(Vec::new())),
+            operator("∘", Class::Ordinary),
+        );
+    } else if !quantity.unit.is_one() && !touches(&quantity.unit) {
+        row.push(THIN);
     }
+    row.extend(unit);
+    row_of(row)
 }
 
 fn product<'a>(factors: impl Iterator<Item = &'a Factor>, below: bool) -> Vec<Math> {

@@ -41,75 +41,24 @@ pub trait Scope {
     fn known(&self) -> Vec<String>;
 }
 
-impl Expr {
-    /// The type of the formula.
-    ///
-    /// # Examples
-    ///
-    /// ```
-    /// use vibank_formula::expr::{Expr, Name, Scope, Type};
-    /// use vibank_formula::unit::Dimension;
-    ///
-    /// struct Spring;
-    ///
-    /// impl Scope for Spring {
-    ///     fn name(&self, name: &Name) -> Option<Type> {
-    ///         match name.as_str() {
-    ///             "m" => Some(Type::real(Dimension::MASS)),
-    ///             "k" => Some(Type::real(Dimension::FORCE / Dimension::LENGTH)),
-    ///             _ => None,
-    ///         }
-    ///     }
-    ///
-    ///     fn known(&self) -> Vec<String> {
-    ///         vec!["m".to_owned(), "k".to_owned()]
-    ///     }
-    /// }
-    ///
-    /// assert_eq!(Expr::read("sqrt(k/m)")?.check(&Spring).unwrap(), Type::real(Dimension::FREQUENCY));
-    /// let findings = Expr::read("k + m*c")?.check(&Spring).unwrap_err();
-    /// assert_eq!(findings[0].to_string(), "`c` is not known here");
-    /// let findings = Expr::read("exp(k) < 1 and k < m")?.check(&Spring).unwrap_err();
-    /// assert_eq!(findings[0].to_string(), "the argument of `exp` has to be a pure number, it is in N/m");
-    /// assert_eq!(findings[1].to_string(), "a comparison of N/m and kg");
-    /// # Ok::<(), vibank_formula::expr::ReadError>(())
-    /// ```
-    ///
-    /// # Errors
-    ///
-    /// All that is wrong with it, by place.
-    pub fn check(&self, scope: &dyn Scope) -> Result<Type, Vec<CheckError>> {
-        let mut checker = Checker::new(scope);
-        let found = checker.of(self);
-        checker.finish(found)
-    }
+pub(crate) fn formula(expr: &Expr, scope: &dyn Scope) -> Result<Type, Vec<CheckError>> {
+    let mut checker = Checker::new(scope);
+    let found = checker.of(expr);
+    checker.finish(found)
 }
 
-impl Equation {
-    /// The type of both sides.
-    ///
-    /// # Errors
-    ///
-    /// All that is wrong with them, by place.
-    pub fn check(&self, scope: &dyn Scope) -> Result<Type, Vec<CheckError>> {
-        let mut checker = Checker::new(scope);
-        let sides = [&self.left, &self.right];
-        let found = checker.joined(Joint::Equation, "=", sides);
-        checker.finish(found)
-    }
+pub(crate) fn equation(equation: &Equation, scope: &dyn Scope) -> Result<Type, Vec<CheckError>> {
+    let mut checker = Checker::new(scope);
+    let sides = [&equation.left, &equation.right];
+    let found = operator::joined(&mut checker, Joint::Equation, "=", sides);
+    checker.finish(found)
 }
 
-impl Interval {
-    /// The type of both ends.
-    ///
-    /// # Errors
-    ///
-    /// All that is wrong with them, by place.
-    pub fn check(&self, scope: &dyn Scope) -> Result<Type, Vec<CheckError>> {
-        let mut checker = Checker::new(scope);
-        let dimension = checker.same_reals(Joint::Interval, &[&self.from, &self.to]);
-        checker.finish(dimension.map(Type::real))
-    }
+pub(crate) fn interval(interval: &Interval, scope: &dyn Scope) -> Result<Type, Vec<CheckError>> {
+    let mut checker = Checker::new(scope);
+    let ends = [&interval.from, &interval.to];
+    let dimension = operator::same_reals(&mut checker, Joint::Interval, &ends);
+    checker.finish(dimension.map(Type::real))
 }
 
 /// The state of a check. A type that is `None` has been reported.
@@ -154,12 +103,14 @@ impl<'a> Checker<'a> {
             Kind::Name(name) => self.name(name, expr.span()),
             Kind::Path(path) => self.path(path, expr.span()),
             Kind::Prime(inner, order) => self.prime(inner, *order),
-            Kind::Index(inner, indices) => self.index(inner, indices, expr.span()),
+            Kind::Index(inner, indices) => matrix::index(self, inner, indices, expr.span()),
             Kind::Negate(inner) => self.numbers(inner),
-            Kind::Binary(operator, a, b) => self.arithmetic(*operator, a, b, expr.span()),
+            Kind::Binary(operator, a, b) => {
+                operator::arithmetic(self, *operator, a, b, expr.span())
+            }
             Kind::Compare(operands, _) => {
                 let operands: Vec<&Expr> = operands.iter().collect();
-                self.same_reals(Joint::Comparison, &operands)?;
+                operator::same_reals(self, Joint::Comparison, &operands)?;
                 Some(Type::boolean())
             }
             Kind::And(a, b) | Kind::Or(a, b) => {
@@ -169,20 +120,22 @@ impl<'a> Checker<'a> {
             Kind::Not(inner) => self.condition(inner),
             Kind::If(condition, first, second) => {
                 let condition = self.condition(condition);
-                let value = self.joined(Joint::Cases, "if", [first, second]);
+                let value = operator::joined(self, Joint::Cases, "if", [first, second]);
                 condition.and(value)
             }
-            Kind::Call(function, arguments) => self.call(*function, arguments, expr.span()),
-            Kind::At(inner, values) => self.at(inner, values),
-            Kind::Diff(inner, names) => self.derivative(inner, names, expr.span()),
-            Kind::Root(inner, name, low, high) => self
-                .search(inner, name, [low, high])
-                .map(|(variable, _)| variable),
+            Kind::Call(function, arguments) => {
+                function::call(self, *function, arguments, expr.span())
+            }
+            Kind::At(inner, values) => bound::at(self, inner, values),
+            Kind::Diff(inner, names) => bound::derivative(self, inner, names, expr.span()),
+            Kind::Root(inner, name, low, high) => {
+                bound::search(self, inner, name, [low, high]).map(|(variable, _)| variable)
+            }
             Kind::Integral(inner, name, low, high) => {
-                let (variable, value) = self.search(inner, name, [low, high])?;
+                let (variable, value) = bound::search(self, inner, name, [low, high])?;
                 Some(Type::real(times(value.dimension(), variable.dimension())))
             }
-            Kind::Array(parts) => self.array(parts),
+            Kind::Array(parts) => matrix::array(self, parts),
         }
     }
 

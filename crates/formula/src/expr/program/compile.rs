@@ -4,6 +4,7 @@ use std::collections::HashMap;
 
 use super::array::Array;
 use super::assembler::Assembler;
+use super::derive;
 use super::hash::NumberTable;
 use super::instruction::{ProgramStep, SearchBody};
 use super::{Binder, Binding, CompileError, EntryRegister, Program};
@@ -151,7 +152,7 @@ impl Compiler<'_> {
             Kind::Call(function, arguments) => self.call(*function, arguments),
             Kind::At(inner, values) => self.at(inner, values),
             Kind::Diff(inner, names) => {
-                let derivative = self.derivative(inner, names)?;
+                let derivative = derive::derivative(self, inner, names)?;
                 self.derived(&derivative, inner)
             }
             Kind::Root(inner, name, low, high) => {
@@ -207,7 +208,7 @@ impl Compiler<'_> {
             Some(Binding::Motion(index)) => self.bound(Binding::Motion(index), order),
             Some(binding) if order == 0 => self.bound(binding, 0),
             Some(_) => {
-                let rate = self.time_derivative(expr)?;
+                let rate = derive::of_primed(self, expr)?;
                 self.derived(&rate, &Expr::derived(Kind::Path(path.clone())))
             }
             None => Err(CompileError::UnknownPath {
@@ -265,14 +266,14 @@ impl Compiler<'_> {
                 if let Some(binding) = self.binder.name(&variable, &self.local_names) {
                     return self.bound(binding, 0);
                 }
-                if let Some(Binding::Motion(index)) = self.time_binding(name) {
+                if let Some(Binding::Motion(index)) = derive::time_binding(self, name) {
                     return self.bound(Binding::Motion(index), order);
                 }
             }
             Kind::Path(path) => return self.path(path, order, expr),
             _ => {}
         }
-        let rate = self.time_derivative(expr)?;
+        let rate = derive::of_primed(self, expr)?;
         self.derived(&rate, inner)
     }
 

@@ -15,70 +15,74 @@ const MAX_NODES: u32 = 50_000;
 /// Most formulas inside one another while names are substituted.
 const MAX_DEPTH: u32 = 300;
 
-impl Compiler<'_> {
-    /// The formula of `diff(inner, name, …)`.
-    pub(crate) fn derivative(&mut self, inner: &Expr, names: &[Name]) -> Result<Expr> {
-        let mut result = inner.clone();
-        for name in names {
-            let full = self.expanded(&result, name)?;
-            result = if name.as_str() == "t" {
-                let moving = self.moving(&full);
-                time_derivative(&full, &moving)?
-            } else {
-                differentiate(&full, name)?
-            };
-        }
-        Ok(result)
-    }
-
-    /// The formula of a primed formula, `(x1 - x2)'`.
-    pub(crate) fn time_derivative(&mut self, primed: &Expr) -> Result<Expr> {
-        let Kind::Prime(inner, order) = primed.kind() else {
-            return Ok(primed.clone());
+/// The formula of `diff(inner, name, …)`.
+pub(crate) fn derivative(
+    compiler: &mut Compiler<'_>,
+    inner: &Expr,
+    names: &[Name],
+) -> Result<Expr> {
+    let mut result = inner.clone();
+    for name in names {
+        let full = expanded(compiler, &result, name)?;
+        result = if name.as_str() == "t" {
+            let moving = moving(compiler, &full);
+            time_derivative(&full, &moving)?
+        } else {
+            differentiate(&full, name)?
         };
-        let time = vec![Name::from("t"); usize::from(*order)];
-        self.derivative(inner, &time)
     }
+    Ok(result)
+}
 
-    /// What a name stands for where time runs.
-    pub(crate) fn time_binding(&self, name: &Name) -> Option<Binding> {
-        let alias = self.aliases.get(name).cloned();
-        alias.or_else(|| self.binding(&Variable::from(name), &Name::from("t")))
-    }
+/// The formula of a primed formula, `(x1 - x2)'`.
+pub(crate) fn of_primed(compiler: &mut Compiler<'_>, primed: &Expr) -> Result<Expr> {
+    let Kind::Prime(inner, order) = primed.kind() else {
+        return Ok(primed.clone());
+    };
+    let time = vec![Name::from("t"); usize::from(*order)];
+    derivative(compiler, inner, &time)
+}
 
-    fn binding(&self, variable: &Variable, by: &Name) -> Option<Binding> {
-        let mut local = self.local_names.clone();
-        local.push(by.clone());
-        self.binder.name(variable, &local)
-    }
+/// What a name stands for where time runs.
+pub(crate) fn time_binding(compiler: &Compiler<'_>, name: &Name) -> Option<Binding> {
+    let alias = compiler.aliases.get(name).cloned();
+    alias.or_else(|| binding(compiler, &Variable::from(name), &Name::from("t")))
+}
 
-    /// The names of a formula that move with time without being written in it.
-    fn moving(&self, expr: &Expr) -> BTreeSet<Name> {
-        let moves = |name: &Name| {
-            let rate = self.binder.name(&Variable::of(name, 1), &self.local_names);
-            rate.is_some() || matches!(self.time_binding(name), Some(Binding::Motion(_)))
-        };
-        let mut moving = BTreeSet::new();
-        expr.walk(&mut |node| {
-            if let Kind::Name(name) = node.kind()
-                && !moving.contains(name)
-                && moves(name)
-            {
-                moving.insert(name.clone());
-            }
-        });
-        moving
-    }
+fn binding(compiler: &Compiler<'_>, variable: &Variable, by: &Name) -> Option<Binding> {
+    let mut local = compiler.local_names.clone();
+    local.push(by.clone());
+    compiler.binder.name(variable, &local)
+}
 
-    /// The formula with everything substituted that depends on `by`.
-    fn expanded(&mut self, expr: &Expr, by: &Name) -> Result<Expr> {
-        Expansion {
-            compiler: self,
-            by,
-            bound: Vec::new(),
+/// The names of a formula that move with time without being written in it.
+fn moving(compiler: &Compiler<'_>, expr: &Expr) -> BTreeSet<Name> {
+    let moves = |name: &Name| {
+        let rate = compiler
+            .binder
+            .name(&Variable::of(name, 1), &compiler.local_names);
+        rate.is_some() || matches!(time_binding(compiler, name), Some(Binding::Motion(_)))
+    };
+    let mut moving = BTreeSet::new();
+    expr.walk(&mut |node| {
+        if let Kind::Name(name) = node.kind()
+            && !moving.contains(name)
+            && moves(name)
+        {
+            moving.insert(name.clone());
         }
-        .of(expr)
+    });
+    moving
+}
+
+/// The formula with everything substituted that depends on `by`.
+fn expanded(compiler: &mut Compiler<'_>, expr: &Expr, by: &Name) -> Result<Expr> {
+    Expansion {
+        compiler: compiler,
+        by,
+        bound: Vec::new(),
     }
+    .of(expr)
 }
 
 /// Puts formulas in for names.
@@ -109,7 +113,7 @@ impl Expansion<'_, '_> {
             Kind::Path(path) => self.path(path, expr),
             Kind::Prime(inner, order) => self.prime(inner, *order, expr),
             Kind::Diff(inner, names) => {
-                let derived = self.compiler.derivative(inner, names)?;
+                let derived = derivative(self.compiler, inner, names)?;
                 self.of(&derived)
             }
             Kind::At(_, values) => {
@@ -143,7 +147,7 @@ impl Expansion<'_, '_> {
         if self.is_fixed(name) {
             return Ok(expr.clone());
         }
-        match self.compiler.binding(&Variable::from(name), self.by) {
+        match binding(self.compiler, &Variable::from(name), self.by) {
             Some(Binding::Formula(formula)) => self.of(&formula),
             _ => Ok(expr.clone()),
         }
@@ -172,18 +176,15 @@ impl Expansion<'_, '_> {
     fn prime(&mut self, inner: &Expr, order: u8, expr: &Expr) -> Result<Expr> {
         if let Kind::Name(name) = inner.kind() {
             if self.is_fixed(name)
-                || self
-                    .compiler
-                    .binding(&Variable::of(name, order), self.by)
-                    .is_some()
+                || binding(self.compiler, &Variable::of(name, order), self.by).is_some()
             {
                 return Ok(expr.clone());
             }
-            if let Some(Binding::Motion(_)) = self.compiler.time_binding(name) {
+            if let Some(Binding::Motion(_)) = time_binding(self.compiler, name) {
                 return Ok(expr.clone());
             }
         }
-        let rate = self.compiler.time_derivative(expr)?;
+        let rate = of_primed(self.compiler, expr)?;
         self.of(&rate)
     }
 }

@@ -56,19 +56,16 @@ enum SweptSteps {
     },
 }
 
-impl Program {
-    /// The program for runs between which only the inputs in these slots change.
-    pub fn sweep(&self, varied: Vec<u32>) -> Sweep<'_> {
-        Sweep {
-            program: self,
+impl<'p> Sweep<'p> {
+    pub(crate) fn new(program: &'p Program, varied: Vec<u32>) -> Self {
+        Self {
+            program,
             varied,
             double: Lap::default(),
             wide: Lap::default(),
         }
     }
-}
 
-impl Sweep<'_> {
     /// The real number (or truth) for these inputs, where an error of `accuracy` is good enough: as
     /// [`Program::evaluate_within`], to the last bit.
     ///

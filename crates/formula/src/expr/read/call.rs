@@ -14,74 +14,72 @@ struct Argument {
     span: Span,
 }
 
-impl Parser<'_> {
-    /// A function or operator, whose name was just read, with its arguments.
-    pub(crate) fn call(&mut self, callee: &Token<'_>) -> Result<Kind, ReadError> {
-        let function = Function::of_name(callee.text);
-        if function.is_none() && !matches!(callee.text, "at" | "diff" | "root" | "integral") {
-            return Err(unknown_function(callee));
+/// A function or operator, whose name was just read, with its arguments.
+pub(crate) fn call(parser: &mut Parser<'_>, callee: &Token<'_>) -> Result<Kind, ReadError> {
+    let function = Function::of_name(callee.text);
+    if function.is_none() && !matches!(callee.text, "at" | "diff" | "root" | "integral") {
+        return Err(unknown_function(callee));
+    }
+    parser.expect("(", "`(`")?;
+    let arguments = arguments(parser)?;
+    let span = parser.since(callee.span);
+    match (function, callee.text) {
+        (Some(function), _) => {
+            let (least, most) = function.arity();
+            count(function.name(), &arguments, least, most, span)?;
+            Ok(Kind::Call(function, unnamed(arguments)?))
         }
-        self.expect("(", "`(`")?;
-        let arguments = self.arguments()?;
-        let span = self.since(callee.span);
-        match (function, callee.text) {
-            (Some(function), _) => {
-                let (least, most) = function.arity();
-                count(function.name(), &arguments, least, most, span)?;
-                Ok(Kind::Call(function, unnamed(arguments)?))
-            }
-            (None, "at") => at(arguments, span),
-            (None, "diff") => diff(arguments, span),
-            (None, "root") => {
-                let [f, x, low, high] = bounded("root", arguments, span)?;
-                Ok(Kind::Root(f, name_of("root", &x)?, low, high))
-            }
-            (None, _) => {
-                let [f, x, low, high] = bounded("integral", arguments, span)?;
-                Ok(Kind::Integral(f, name_of("integral", &x)?, low, high))
-            }
+        (None, "at") => at(arguments, span),
+        (None, "diff") => diff(arguments, span),
+        (None, "root") => {
+            let [f, x, low, high] = bounded("root", arguments, span)?;
+            Ok(Kind::Root(f, name_of("root", &x)?, low, high))
+        }
+        (None, _) => {
+            let [f, x, low, high] = bounded("integral", arguments, span)?;
+            Ok(Kind::Integral(f, name_of("integral", &x)?, low, high))
         }
     }
+}
 
-    /// The arguments up to the closing bracket.
-    fn arguments(&mut self) -> Result<Vec<Argument>, ReadError> {
-        let mut arguments = Vec::new();
-        if self.next_is(")") {
-            self.advance();
-            return Ok(arguments);
-        }
-        loop {
-            arguments.push(self.argument()?);
-            if self.next_is(",") {
-                self.advance();
-                continue;
-            }
-            self.expect(")", "an operator, `,` or `)`")?;
-            return Ok(arguments);
-        }
+/// The arguments up to the closing bracket.
+fn arguments(parser: &mut Parser<'_>) -> Result<Vec<Argument>, ReadError> {
+    let mut arguments = Vec::new();
+    if parser.next_is(")") {
+        parser.advance();
+        return Ok(arguments);
     }
+    loop {
+        arguments.push(argument(parser)?);
+        if parser.next_is(",") {
+            parser.advance();
+            continue;
+        }
+        parser.expect(")", "an operator, `,` or `)`")?;
+        return Ok(arguments);
+    }
+}
 
-    fn argument(&mut self) -> Result<Argument, ReadError> {
-        let first = *self.peek();
-        let is_named = first.kind == TokenKind::Word && self.tokens[self.at + 1].is("=");
-        let name = is_named.then(|| Name::from(first.text));
-        if is_named {
-            if Function::of_name(first.text).is_some() || WORDS.contains(&first.text) {
-                return Err(ReadError::Reserved {
-                    name: first.text.to_owned(),
-                    span: first.span,
-                });
-            }
-            self.advance();
-            self.advance();
+fn argument(parser: &mut Parser<'_>) -> Result<Argument, ReadError> {
+    let first = *parser.peek();
+    let is_named = first.kind == TokenKind::Word && parser.tokens[parser.at + 1].is("=");
+    let name = is_named.then(|| Name::from(first.text));
+    if is_named {
+        if Function::of_name(first.text).is_some() || WORDS.contains(&first.text) {
+            return Err(ReadError::Reserved {
+                name: first.text.to_owned(),
+                span: first.span,
+            });
         }
-        let value = self.formula()?;
-        Ok(Argument {
-            name,
-            value,
-            span: self.since(first.span),
-        })
+        parser.advance();
+        parser.advance();
     }
+    let value = parser.formula()?;
+    Ok(Argument {
+        name,
+        value,
+        span: parser.since(first.span),
+    })
 }
 
 fn count(

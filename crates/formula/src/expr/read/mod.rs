@@ -13,67 +13,35 @@ pub use error::ReadError;
 use self::parser::{Parser, Strength};
 use super::{Equation, Expr, Interval};
 
-impl Expr {
-    /// Reads a formula of the strict grammar.
-    ///
-    /// # Examples
-    ///
-    /// ```
-    /// use vibank_formula::expr::Expr;
-    ///
-    /// let formula = Expr::read("-x^2")?;
-    /// assert_eq!(formula, Expr::read("-(x^2)")?);
-    /// assert_eq!(Expr::read("2 k").unwrap_err().to_string(), "no operator between `2` and `k`");
-    /// # Ok::<(), vibank_formula::expr::ReadError>(())
-    /// ```
-    ///
-    /// # Errors
-    ///
-    /// The first place at which the text departs from the grammar, or the bound that it passes.
-    pub fn read(text: &str) -> Result<Self, ReadError> {
-        let mut reader = Parser::new(text)?;
-        let formula = reader.formula()?;
-        reader.end()?;
-        Ok(formula)
-    }
+pub(crate) fn formula(text: &str) -> Result<Expr, ReadError> {
+    let mut reader = Parser::new(text)?;
+    let formula = reader.formula()?;
+    reader.end()?;
+    Ok(formula)
 }
 
-impl Equation {
-    /// Reads `a = b`.
-    ///
-    /// # Errors
-    ///
-    /// As [`Expr::read`].
-    pub fn read(text: &str) -> Result<Self, ReadError> {
-        let mut reader = Parser::new(text)?;
-        let left = reader.expression(Strength::Sum)?;
-        reader.expect("=", "`=` and the other side of the equation")?;
-        let right = reader.expression(Strength::Sum)?;
-        reader.end()?;
-        Ok(Self { left, right })
-    }
+pub(crate) fn equation(text: &str) -> Result<Equation, ReadError> {
+    let mut reader = Parser::new(text)?;
+    let left = reader.expression(Strength::Sum)?;
+    reader.expect("=", "`=` and the other side of the equation")?;
+    let right = reader.expression(Strength::Sum)?;
+    reader.end()?;
+    Ok(Equation { left, right })
 }
 
-impl Interval {
-    /// Reads `[a, b)` and kin; a round bracket leaves its end out, `inf` is not a bound.
-    ///
-    /// # Errors
-    ///
-    /// As [`Expr::read`].
-    pub fn read(text: &str) -> Result<Self, ReadError> {
-        let mut reader = Parser::new(text)?;
-        let open_from = reader.bracket("[", "(", "`[` or `(`, the beginning of an interval")?;
-        let from = reader.expression(Strength::Sum)?;
-        reader.expect(",", "`,` and the upper end")?;
-        let to = reader.expression(Strength::Sum)?;
-        let open_to = reader.bracket("]", ")", "`]` or `)`, the end of the interval")?;
-        reader.end()?;
-        Ok(Self {
-            from,
-            to,
-            open: [open_from, open_to],
-        })
-    }
+pub(crate) fn interval(text: &str) -> Result<Interval, ReadError> {
+    let mut reader = Parser::new(text)?;
+    let open_from = reader.bracket("[", "(", "`[` or `(`, the beginning of an interval")?;
+    let from = reader.expression(Strength::Sum)?;
+    reader.expect(",", "`,` and the upper end")?;
+    let to = reader.expression(Strength::Sum)?;
+    let open_to = reader.bracket("]", ")", "`]` or `)`, the end of the interval")?;
+    reader.end()?;
+    Ok(Interval {
+        from,
+        to,
+        open: [open_from, open_to],
+    })
 }
 
 #[cfg(test)]

@@ -5,6 +5,7 @@
 use super::ReadError;
 use super::slip::unexpected;
 use super::token::{Token, TokenKind, tokens};
+use super::{call, slip};
 use crate::expr::{Constant, Expr, Function, Kind, Name, Operator, Path, Relation};
 use crate::unit::Unit;
 use vibank_dynamics::numerics::Rational;
@@ -271,7 +272,7 @@ impl<'a> Parser<'a> {
             "then" | "else" | "and" | "or" => {
                 return Err(unexpected(&token, "a number, a name or `(`"));
             }
-            _ if self.next_is("(") => self.call(&token)?,
+            _ if self.next_is("(") => call::call(self, &token)?,
             name if Function::of_name(name).is_some() || WORDS.contains(&name) => {
                 return Err(ReadError::Reserved {
                     name: name.to_owned(),
@@ -323,7 +324,7 @@ impl<'a> Parser<'a> {
     ) -> Result<bool, ReadError> {
         let token = *self.peek();
         if !token.is(closed) && !token.is(open) {
-            return Err(self.surprise(expected));
+            return Err(slip::surprise(self, expected));
         }
         self.advance();
         Ok(token.is(open))
@@ -390,7 +391,7 @@ impl<'a> Parser<'a> {
 
     pub(crate) fn expect(&mut self, text: &str, expected: &'static str) -> Result<(), ReadError> {
         if !self.next_is(text) {
-            return Err(self.surprise(expected));
+            return Err(slip::surprise(self, expected));
         }
         self.advance();
         Ok(())
@@ -399,7 +400,7 @@ impl<'a> Parser<'a> {
     pub(crate) fn end(&self) -> Result<(), ReadError> {
         match self.peek().kind {
             TokenKind::End => Ok(()),
-            _ => Err(self.surprise("an operator or the end")),
+            _ => Err(slip::surprise(self, "an operator or the end")),
         }
     }
 }

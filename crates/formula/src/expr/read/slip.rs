@@ -6,46 +6,44 @@ use super::token::{Token, TokenKind};
 use crate::expr::Function;
 use vibank_source::nearest;
 
-impl Parser<'_> {
-    /// The error for the word at hand, which follows an operand; the usual slips have their own.
-    pub(crate) fn surprise(&self, expected: &'static str) -> ReadError {
-        let token = self.peek();
-        let Some(previous) = self.at.checked_sub(1).map(|at| &self.tokens[at]) else {
-            return unexpected(token, expected);
-        };
-        let after_number = previous.kind == TokenKind::Number;
-        match token.text {
-            "=" => ReadError::SingleEquals { span: token.span },
-            "**" => ReadError::DoubleStar { span: token.span },
-            "." if after_number => ReadError::BarePoint {
-                span: previous.span.join(token.span),
-            },
-            "[" if after_number => ReadError::SpaceBeforeUnit {
-                span: previous.span.join(token.span),
-            },
-            "," if after_number => self.comma(previous, expected),
-            _ if starts_operand(token) && ends_operand(previous) => ReadError::ImplicitProduct {
-                left: previous.text.to_owned(),
-                right: token.text.to_owned(),
-                span: previous.span.join(token.span),
-            },
-            _ => unexpected(token, expected),
-        }
+/// The error for the word at hand, which follows an operand; the usual slips have their own.
+pub(crate) fn surprise(parser: &Parser<'_>, expected: &'static str) -> ReadError {
+    let token = parser.peek();
+    let Some(previous) = parser.at.checked_sub(1).map(|at| &parser.tokens[at]) else {
+        return unexpected(token, expected);
+    };
+    let after_number = previous.kind == TokenKind::Number;
+    match token.text {
+        "=" => ReadError::SingleEquals { span: token.span },
+        "**" => ReadError::DoubleStar { span: token.span },
+        "." if after_number => ReadError::BarePoint {
+            span: previous.span.join(token.span),
+        },
+        "[" if after_number => ReadError::SpaceBeforeUnit {
+            span: previous.span.join(token.span),
+        },
+        "," if after_number => comma(parser, previous, expected),
+        _ if starts_operand(token) && ends_operand(previous) => ReadError::ImplicitProduct {
+            left: previous.text.to_owned(),
+            right: token.text.to_owned(),
+            span: previous.span.join(token.span),
+        },
+        _ => unexpected(token, expected),
     }
+}
 
-    /// A comma after a number: a decimal comma if digits follow at once.
-    fn comma(&self, whole: &Token<'_>, expected: &'static str) -> ReadError {
-        let comma = self.peek();
-        let fraction = &self.tokens[self.at + 1];
-        let touches = whole.span.end == comma.span.start && comma.span.end == fraction.span.start;
-        if !touches || fraction.kind != TokenKind::Number {
-            return unexpected(comma, expected);
-        }
-        ReadError::DecimalComma {
-            whole: whole.text.to_owned(),
-            fraction: fraction.text.to_owned(),
-            span: whole.span.join(fraction.span),
-        }
+/// A comma after a number: a decimal comma if digits follow at once.
+fn comma(parser: &Parser<'_>, whole: &Token<'_>, expected: &'static str) -> ReadError {
+    let comma = parser.peek();
+    let fraction = &parser.tokens[parser.at + 1];
+    let touches = whole.span.end == comma.span.start && comma.span.end == fraction.span.start;
+    if !touches || fraction.kind != TokenKind::Number {
+        return unexpected(comma, expected);
+    }
+    ReadError::DecimalComma {
+        whole: whole.text.to_owned(),
+        fraction: fraction.text.to_owned(),
+        span: whole.span.join(fraction.span),
     }
 }
 

@@ -11,147 +11,153 @@ const MAX_EXPONENT: u32 = 16;
 /// at half of the size of the letters around it.
 const MAX_SHARE: u32 = 4;
 
-impl Setter<'_> {
-    pub(crate) fn call(&self, function: Function, arguments: &[Expr]) -> SetPiece {
-        let one = arguments.first();
-        match (function, one) {
-            (Function::Sqrt, Some(u)) => SetPiece::atom(Math::root(self.math(u))),
-            (Function::Exp, Some(u)) if u.size() <= MAX_EXPONENT && !is_tiny_as_exponent(u) => {
-                SetPiece::new(Math::upright("e").with_sup(self.math(u)), Hold::Power)
-            }
-            (Function::Abs, Some(u)) => SetPiece::atom(self.math(u).fenced("|", "|")),
-            (Function::Norm, Some(u)) => SetPiece::atom(self.math(u).fenced("‖", "‖")),
-            (Function::Floor, Some(u)) => SetPiece::atom(self.math(u).fenced("⌊", "⌋")),
-            (Function::Ceil, Some(u)) => SetPiece::atom(self.math(u).fenced("⌈", "⌉")),
-            (Function::Conj, Some(u)) => {
-                let conjugate = self.math(u).with_accent(vibank_notation::Accent::Bar);
-                SetPiece::atom(conjugate)
-            }
-            (Function::Transpose, Some(u)) => {
-                let base = self.piece(u).at_least(Hold::Atom);
-                SetPiece::new(base.with_sup(Math::upright("T")), Hold::Power)
-            }
-            (Function::Hypot, _) => {
-                let squares = arguments.iter().cloned().map(Expr::squared);
-                let sum = squares.reduce(|sum, square| sum + square);
-                SetPiece::atom(Math::root(sum.map_or(Math::row([]), |sum| self.math(&sum))))
-            }
-            (Function::EllipticKm1, Some(p)) => {
-                let parameter = Expr::number(1) - p.clone();
-                self.call(Function::EllipticK, &[parameter])
-            }
-            (Function::Dot, Some(_)) => self.between("⋅", arguments),
-            (Function::Mod, Some(_)) => self.between("mod", arguments),
-            _ => self.applied(written_name(function), arguments),
+pub(crate) fn call(setter: &Setter<'_>, function: Function, arguments: &[Expr]) -> SetPiece {
+    let one = arguments.first();
+    match (function, one) {
+        (Function::Sqrt, Some(u)) => SetPiece::atom(Math::root(setter.math(u))),
+        (Function::Exp, Some(u)) if u.size() <= MAX_EXPONENT && !is_tiny_as_exponent(u) => {
+            SetPiece::new(Math::upright("e").with_sup(setter.math(u)), Hold::Power)
         }
+        (Function::Abs, Some(u)) => SetPiece::atom(setter.math(u).fenced("|", "|")),
+        (Function::Norm, Some(u)) => SetPiece::atom(setter.math(u).fenced("‖", "‖")),
+        (Function::Floor, Some(u)) => SetPiece::atom(setter.math(u).fenced("⌊", "⌋")),
+        (Function::Ceil, Some(u)) => SetPiece::atom(setter.math(u).fenced("⌈", "⌉")),
+        (Function::Conj, Some(u)) => {
+            let conjugate = setter.math(u).with_accent(vibank_notation::Accent::Bar);
+            SetPiece::atom(conjugate)
+        }
+        (Function::Transpose, Some(u)) => {
+            let base = setter.piece(u).at_least(Hold::Atom);
+            SetPiece::new(base.with_sup(Math::upright("T")), Hold::Power)
+        }
+        (Function::Hypot, _) => {
+            let squares = arguments.iter().cloned().map(Expr::squared);
+            let sum = squares.reduce(|sum, square| sum + square);
+            SetPiece::atom(Math::root(
+                sum.map_or(Math::row([]), |sum| setter.math(&sum)),
+            ))
+        }
+        (Function::EllipticKm1, Some(p)) => {
+            let parameter = Expr::number(1) - p.clone();
+            call(setter, Function::EllipticK, &[parameter])
+        }
+        (Function::Dot, Some(_)) => between(setter, "⋅", arguments),
+        (Function::Mod, Some(_)) => between(setter, "mod", arguments),
+        _ => applied(setter, written_name(function), arguments),
     }
+}
 
-    /// A sign or word between operands.
-    fn between(&self, sign: &str, operands: &[Expr]) -> SetPiece {
-        let operands = operands
-            .iter()
-            .map(|operand| self.piece(operand).at_least(Hold::Fraction));
-        let sign = Math::binary(sign);
-        SetPiece::new(separated(operands, Some(&sign)), Hold::Product)
-    }
+/// A sign or word between operands.
+fn between(setter: &Setter<'_>, sign: &str, operands: &[Expr]) -> SetPiece {
+    let operands = operands
+        .iter()
+        .map(|operand| setter.piece(operand).at_least(Hold::Fraction));
+    let sign = Math::binary(sign);
+    SetPiece::new(separated(operands, Some(&sign)), Hold::Product)
+}
 
-    /// A named function before its arguments; one that is a single symbol stands bare.
-    pub(crate) fn applied(&self, name: &str, arguments: &[Expr]) -> SetPiece {
-        let function = function_name(name);
-        self.named(function, arguments)
-    }
+/// A named function before its arguments; one that is a single symbol stands bare.
+pub(crate) fn applied(setter: &Setter<'_>, name: &str, arguments: &[Expr]) -> SetPiece {
+    let function = function_name(name);
+    named(setter, function, arguments)
+}
 
-    fn named(&self, function: Math, arguments: &[Expr]) -> SetPiece {
-        let argument = match arguments {
-            [only] if is_symbol(only) => self.piece(only).at_least(Hold::Atom),
-            _ => self.arguments(arguments),
-        };
-        SetPiece::new(Math::row([function, argument]), Hold::Fraction)
-    }
+fn named(setter: &Setter<'_>, function: Math, arguments: &[Expr]) -> SetPiece {
+    let argument = match arguments {
+        [only] if is_symbol(only) => setter.piece(only).at_least(Hold::Atom),
+        _ => in_parentheses(setter, arguments),
+    };
+    SetPiece::new(Math::row([function, argument]), Hold::Fraction)
+}
 
-    fn arguments(&self, arguments: &[Expr]) -> Math {
-        let arguments = arguments.iter().map(|argument| self.math(argument));
-        separated(arguments, Some(&Math::punctuation(","))).fenced("(", ")")
-    }
+fn in_parentheses(setter: &Setter<'_>, arguments: &[Expr]) -> Math {
+    let arguments = arguments.iter().map(|argument| setter.math(argument));
+    separated(arguments, Some(&Math::punctuation(","))).fenced("(", ")")
+}
 
-    /// A function that is followed by another factor has its argument in parentheses.
-    pub(crate) fn call_before_factor(&self, expr: &Expr) -> Math {
-        match expr.kind() {
-            Kind::Call(function, arguments) if is_bare(*function, arguments) => {
-                let name = function_name(written_name(*function));
-                Math::row([name, self.arguments(arguments)])
-            }
-            Kind::Binary(Operator::Power, base, exponent) => match base.kind() {
-                Kind::Call(function, arguments) if has_powers(*function) => {
-                    match power_of_name(exponent) {
-                        Some(power) => {
-                            let name = function_name(written_name(*function));
-                            Math::row([name.with_sup(power), self.arguments(arguments)])
-                        }
-                        None => self.math(expr),
+/// A function that is followed by another factor has its argument in parentheses.
+pub(crate) fn call_before_factor(setter: &Setter<'_>, expr: &Expr) -> Math {
+    match expr.kind() {
+        Kind::Call(function, arguments) if is_bare(*function, arguments) => {
+            let name = function_name(written_name(*function));
+            Math::row([name, in_parentheses(setter, arguments)])
+        }
+        Kind::Binary(Operator::Power, base, exponent) => match base.kind() {
+            Kind::Call(function, arguments) if has_powers(*function) => {
+                match power_of_name(exponent) {
+                    Some(power) => {
+                        let name = function_name(written_name(*function));
+                        Math::row([name.with_sup(power), in_parentheses(setter, arguments)])
                     }
+                    None => setter.math(expr),
                 }
-                _ => self.math(expr),
-            },
-            _ => self.piece(expr).at_least(Hold::Fraction),
-        }
+            }
+            _ => setter.math(expr),
+        },
+        _ => setter.piece(expr).at_least(Hold::Fraction),
     }
+}
 
-    /// sin²x for sin(x)^2.
-    pub(crate) fn power_of_call(&self, base: &Expr, exponent: &Expr) -> Option<SetPiece> {
-        let Kind::Call(function, arguments) = base.kind() else {
-            return None;
-        };
-        let power = power_of_name(exponent).filter(|_| has_powers(*function))?;
-        let name = function_name(written_name(*function)).with_sup(power);
-        Some(self.named(name, arguments))
-    }
+/// sin²x for sin(x)^2.
+pub(crate) fn power_of_call(setter: &Setter<'_>, base: &Expr, exponent: &Expr) -> Option<SetPiece> {
+    let Kind::Call(function, arguments) = base.kind() else {
+        return None;
+    };
+    let power = power_of_name(exponent).filter(|_| has_powers(*function))?;
+    let name = function_name(written_name(*function)).with_sup(power);
+    Some(named(setter, name, arguments))
+}
 
-    /// f with a bar and the values of its names below it.
-    pub(crate) fn at(&self, inner: &Expr, values: &[(Name, Expr)]) -> SetPiece {
-        let equations = values.iter().map(|(name, value)| {
-            let name = self.math(&Expr::name(name.clone()));
-            Math::row([name, Math::relation("="), self.math(value)])
+/// f with a bar and the values of its names below it.
+pub(crate) fn at(setter: &Setter<'_>, inner: &Expr, values: &[(Name, Expr)]) -> SetPiece {
+    let equations = values.iter().map(|(name, value)| {
+        let name = setter.math(&Expr::name(name.clone()));
+        Math::row([name, Math::relation("="), setter.math(value)])
+    });
+    let condition = separated(equations, Some(&Math::punctuation(",")));
+    SetPiece::atom(setter.math(inner).fenced("", "|").with_sub(condition))
+}
+
+/// ∂²f/∂x∂y.
+pub(crate) fn partial_derivative(setter: &Setter<'_>, inner: &Expr, names: &[Name]) -> SetPiece {
+    let partial = || Math::operator("∂", Class::Ordinary);
+    let above = match names.len() {
+        1 => partial(),
+        n => partial().with_sup(Math::number(n.to_string())),
+    };
+    let mut below = Vec::new();
+    for same in names.chunk_by(|a, b| a == b) {
+        let name = setter.math(&Expr::name(same[0].clone()));
+        below.push(partial());
+        below.push(match same.len() {
+            1 => name,
+            n => name.with_sup(Math::number(n.to_string())),
         });
-        let condition = separated(equations, Some(&Math::punctuation(",")));
-        SetPiece::atom(self.math(inner).fenced("", "|").with_sub(condition))
     }
+    let below = Math::row(below);
+    let math = if is_symbol(inner) {
+        Math::fraction(Math::row([above, setter.math(inner)]), below)
+    } else {
+        let body = setter.piece(inner).at_least(Hold::Atom);
+        Math::row([Math::fraction(above, below), body])
+    };
+    SetPiece::new(math, Hold::Fraction)
+}
 
-    /// ∂²f/∂x∂y.
-    pub(crate) fn partial_derivative(&self, inner: &Expr, names: &[Name]) -> SetPiece {
-        let partial = || Math::operator("∂", Class::Ordinary);
-        let above = match names.len() {
-            1 => partial(),
-            n => partial().with_sup(Math::number(n.to_string())),
-        };
-        let mut below = Vec::new();
-        for same in names.chunk_by(|a, b| a == b) {
-            let name = self.math(&Expr::name(same[0].clone()));
-            below.push(partial());
-            below.push(match same.len() {
-                1 => name,
-                n => name.with_sup(Math::number(n.to_string())),
-            });
-        }
-        let below = Math::row(below);
-        let math = if is_symbol(inner) {
-            Math::fraction(Math::row([above, self.math(inner)]), below)
-        } else {
-            let body = self.piece(inner).at_least(Hold::Atom);
-            Math::row([Math::fraction(above, below), body])
-        };
-        SetPiece::new(math, Hold::Fraction)
-    }
-
-    pub(crate) fn integral(&self, inner: &Expr, name: &Name, from: &Expr, to: &Expr) -> SetPiece {
-        let sign = Math::operator("∫", Class::Large)
-            .with_sub(self.math(from))
-            .with_sup(self.math(to));
-        let body = self.piece(inner).at_least(Hold::Product);
-        let variable = self.math(&Expr::name(name.clone()));
-        let row = [sign, body, Math::thin_space(), Math::upright("d"), variable];
-        SetPiece::new(Math::row(row), Hold::Sum)
-    }
+pub(crate) fn integral(
+    setter: &Setter<'_>,
+    inner: &Expr,
+    name: &Name,
+    from: &Expr,
+    to: &Expr,
+) -> SetPiece {
+    let sign = Math::operator("∫", Class::Large)
+        .with_sub(setter.math(from))
+        .with_sup(setter.math(to));
+    let body = setter.piece(inner).at_least(Hold::Product);
+    let variable = setter.math(&Expr::name(name.clone()));
+    let row = [sign, body, Math::thin_space(), Math::upright("d"), variable];
+    SetPiece::new(Math::row(row), Hold::Sum)
 }
 
 fn function_name(name: &str) -> Math {

@@ -112,21 +112,8 @@ impl SetPiece {
     }
 }
 
-impl Expr {
-    /// The formula as typeset mathematics.
-    ///
-    /// Products stand side by side, quotients are fractions, time derivatives dots, and there are as few
-    /// parentheses as reading needs.
-    ///
-    /// ```
-    /// use vibank_formula::expr::{Expr, PlainNotation};
-    /// let mass = Expr::name("m");
-    /// let kinetic = mass * Expr::name("x").prime(1).squared() / Expr::number(2);
-    /// assert_eq!(kinetic.typeset(&PlainNotation).latex(), r"\frac{m\dot{x}^2}{2}");
-    /// ```
-    pub fn typeset(&self, notation: &dyn Notation) -> Math {
-        Setter { notation }.piece(self).math
-    }
+pub(crate) fn formula(expr: &Expr, notation: &dyn Notation) -> Math {
+    Setter { notation }.piece(expr).math
 }
 
 /// Sets formulas in a notation.
@@ -160,7 +147,7 @@ impl Setter<'_> {
             }
             Kind::Binary(Operator::Add, a, b) => self.sum(a, "+", b),
             Kind::Binary(Operator::Subtract, a, b) => self.sum(a, "−", b),
-            Kind::Binary(Operator::Multiply | Operator::Divide, ..) => self.product(expr),
+            Kind::Binary(Operator::Multiply | Operator::Divide, ..) => product::product(self, expr),
             Kind::Binary(Operator::Power, base, exponent) => self.power(base, exponent),
             Kind::Compare(operands, relations) => self.comparison(operands, relations),
             Kind::And(a, b) => self.joined(a, "and", b),
@@ -170,14 +157,18 @@ impl Setter<'_> {
                 SetPiece::new(Math::row([Math::text("not "), operand]), Hold::Loose)
             }
             Kind::If(..) => self.cases(expr),
-            Kind::Call(function, arguments) => self.call(*function, arguments),
-            Kind::At(inner, values) => self.at(inner, values),
-            Kind::Diff(inner, names) => self.partial_derivative(inner, names),
+            Kind::Call(function, arguments) => call::call(self, *function, arguments),
+            Kind::At(inner, values) => call::at(self, inner, values),
+            Kind::Diff(inner, names) => call::partial_derivative(self, inner, names),
             Kind::Root(inner, name, low, high) => {
                 let name = Expr::name(name.clone());
-                self.applied("root", &[inner.clone(), name, low.clone(), high.clone()])
+                call::applied(
+                    self,
+                    "root",
+                    &[inner.clone(), name, low.clone(), high.clone()],
+                )
             }
-            Kind::Integral(inner, name, from, to) => self.integral(inner, name, from, to),
+            Kind::Integral(inner, name, from, to) => call::integral(self, inner, name, from, to),
             Kind::Array(entries) => self.array(entries),
         }
     }
@@ -217,7 +208,7 @@ impl Setter<'_> {
     }
 
     fn power(&self, base: &Expr, exponent: &Expr) -> SetPiece {
-        if let Some(piece) = self.power_of_call(base, exponent) {
+        if let Some(piece) = call::power_of_call(self, base, exponent) {
             return piece;
         }
         let bottom = self.base(base);

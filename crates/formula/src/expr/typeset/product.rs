@@ -1,6 +1,6 @@
 //! Products and quotients.
 
-use super::{Hold, Math, SetPiece, Setter, SymbolKind};
+use super::{Hold, Math, SetPiece, Setter, SymbolKind, call};
 use crate::expr::{Expr, Kind, Operator};
 
 /// One factor of a product as it is set.
@@ -12,136 +12,133 @@ struct Factor {
     is_quantity: bool,
 }
 
-impl Setter<'_> {
-    /// A product or quotient, with all factors of a chain side by side.
-    pub(crate) fn product(&self, expr: &Expr) -> SetPiece {
-        let mut factors = Vec::new();
-        flatten(expr, &mut factors);
-        let is_negative = factors.first_mut().is_some_and(take_sign);
-        let product = match factors.as_slice() {
-            [ProductPart::Quotient(above, below)] => {
-                SetPiece::new(self.fraction(above, below), Hold::Fraction)
-            }
-            _ => {
-                let hold = if self.begins_with_sign(&factors) {
-                    Hold::Sign
-                } else {
-                    Hold::Product
-                };
-                SetPiece::new(self.side_by_side(&factors), hold)
-            }
-        };
-        if is_negative {
-            SetPiece::new(Math::row([Math::prefix("−"), product.math]), Hold::Sign)
-        } else {
-            product
+/// A product or quotient, with all factors of a chain side by side.
+pub(crate) fn product(setter: &Setter<'_>, expr: &Expr) -> SetPiece {
+    let mut factors = Vec::new();
+    flatten(expr, &mut factors);
+    let is_negative = factors.first_mut().is_some_and(take_sign);
+    let product = match factors.as_slice() {
+        [ProductPart::Quotient(above, below)] => {
+            SetPiece::new(fraction(setter, above, below), Hold::Fraction)
         }
+        _ => {
+            let hold = if begins_with_sign(setter, &factors) {
+                Hold::Sign
+            } else {
+                Hold::Product
+            };
+            SetPiece::new(side_by_side(setter, &factors), hold)
+        }
+    };
+    if is_negative {
+        SetPiece::new(Math::row([Math::prefix("−"), product.math]), Hold::Sign)
+    } else {
+        product
     }
+}
 
-    /// Whether a sign stands in front, as where a negative number is substituted for the first factor.
-    ///
-    /// Only what is set in one step can bear one: setting the factor to see would double the work at each level.
-    fn begins_with_sign(&self, factors: &[ProductPart]) -> bool {
-        let Some(ProductPart::Factor(first)) = factors.first() else {
-            return false;
-        };
-        match first.kind() {
-            Kind::Negate(_) => true,
-            Kind::Name(name) if self.notation.name(name).kind == SymbolKind::NegativeQuantity => {
-                false
+/// Whether a sign stands in front, as where a negative number is substituted for the first factor.
+///
+/// Only what is set in one step can bear one: setting the factor to see would double the work at each level.
+fn begins_with_sign(setter: &Setter<'_>, factors: &[ProductPart]) -> bool {
+    let Some(ProductPart::Factor(first)) = factors.first() else {
+        return false;
+    };
+    match first.kind() {
+        Kind::Negate(_) => true,
+        Kind::Name(name) if setter.notation.name(name).kind == SymbolKind::NegativeQuantity => {
+            false
+        }
+        Kind::Number(_) | Kind::Name(_) | Kind::Path(_) => setter.piece(first).hold == Hold::Sign,
+        _ => false,
+    }
+}
+
+fn fraction(setter: &Setter<'_>, above: &[ProductPart], below: &[ProductPart]) -> Math {
+    // A number alone above or below keeps its own size; ½ m x / l is written m x / 2 l.
+    let (above, below) = hoisted(above, below);
+    Math::fraction(side_by_side(setter, &above), side_by_side(setter, &below))
+}
+
+fn side_by_side(setter: &Setter<'_>, parts: &[ProductPart]) -> Math {
+    if let [ProductPart::Factor(only)] = parts {
+        return setter.math(only);
+    }
+    let mut row: Vec<Math> = Vec::new();
+    let mut before: Option<Factor> = None;
+    for (position, part) in parts.iter().enumerate() {
+        let factor = factor(setter, part, position == 0, position + 1 == parts.len());
+        if let Some(before) = &before {
+            let is_dotted = before.is_quantity || factor.is_quantity || factor.begins_with_number;
+            if is_dotted {
+                row.push(Math::binary("⋅"));
             }
-            Kind::Number(_) | Kind::Name(_) | Kind::Path(_) => self.piece(first).hold == Hold::Sign,
+        }
+        row.push(factor.math.clone());
+        before = Some(factor);
+    }
+    Math::row(row)
+}
+
+fn factor(setter: &Setter<'_>, part: &ProductPart, is_first: bool, is_last: bool) -> Factor {
+    match part {
+        ProductPart::Quotient(above, below) => {
+            let is_number = |parts: &[ProductPart]| {
+                parts.iter().all(
+                    |part| matches!(part, ProductPart::Factor(own) if own.as_number().is_some()),
+                )
+            };
+            let is_number = is_number(above) && is_number(below);
+            Factor {
+                math: fraction(setter, above, below),
+                begins_with_number: is_number,
+                is_quantity: false,
+            }
+        }
+        ProductPart::Factor(expr) => plain_factor(setter, expr, is_first, is_last),
+    }
+}
+
+fn plain_factor(setter: &Setter<'_>, expr: &Expr, is_first: bool, is_last: bool) -> Factor {
+    let kind = symbol_kind(setter, expr);
+    let is_bare_call = !is_last
+        && match expr.kind() {
+            Kind::Call(..) => true,
+            Kind::Binary(Operator::Power, base, _) => matches!(base.kind(), Kind::Call(..)),
             _ => false,
-        }
-    }
-
-    fn fraction(&self, above: &[ProductPart], below: &[ProductPart]) -> Math {
-        // A number alone above or below keeps its own size; ½ m x / l is written m x / 2 l.
-        let (above, below) = hoisted(above, below);
-        Math::fraction(self.side_by_side(&above), self.side_by_side(&below))
-    }
-
-    fn side_by_side(&self, parts: &[ProductPart]) -> Math {
-        if let [ProductPart::Factor(only)] = parts {
-            return self.math(only);
-        }
-        let mut row: Vec<Math> = Vec::new();
-        let mut before: Option<Factor> = None;
-        for (position, part) in parts.iter().enumerate() {
-            let factor = self.factor(part, position == 0, position + 1 == parts.len());
-            if let Some(before) = &before {
-                let is_dotted =
-                    before.is_quantity || factor.is_quantity || factor.begins_with_number;
-                if is_dotted {
-                    row.push(Math::binary("⋅"));
-                }
-            }
-            row.push(factor.math.clone());
-            before = Some(factor);
-        }
-        Math::row(row)
-    }
-
-    fn factor(&self, part: &ProductPart, is_first: bool, is_last: bool) -> Factor {
-        match part {
-            ProductPart::Quotient(above, below) => {
-                let is_number = |parts: &[ProductPart]| {
-                    parts
-                        .iter()
-                        .all(|part| matches!(part, ProductPart::Factor(own) if own.as_number().is_some()))
-                };
-                let is_number = is_number(above) && is_number(below);
-                Factor {
-                    math: self.fraction(above, below),
-                    begins_with_number: is_number,
-                    is_quantity: false,
-                }
-            }
-            ProductPart::Factor(expr) => self.plain_factor(expr, is_first, is_last),
-        }
-    }
-
-    fn plain_factor(&self, expr: &Expr, is_first: bool, is_last: bool) -> Factor {
-        let kind = self.symbol_kind(expr);
-        let is_bare_call = !is_last
-            && match expr.kind() {
-                Kind::Call(..) => true,
-                Kind::Binary(Operator::Power, base, _) => matches!(base.kind(), Kind::Call(..)),
-                _ => false,
-            };
-        let math = if is_bare_call {
-            self.call_before_factor(expr)
-        } else {
-            let piece = self.piece(expr);
-            let least = match piece.hold {
-                Hold::Sign if is_first && kind != SymbolKind::NegativeQuantity => Hold::Sign,
-                Hold::Product if kind == SymbolKind::Quantity => Hold::Product,
-                _ => Hold::Fraction,
-            };
-            piece.at_least(least)
         };
-        Factor {
-            math,
-            begins_with_number: matches!(kind, SymbolKind::Number),
-            is_quantity: kind == SymbolKind::Quantity,
-        }
+    let math = if is_bare_call {
+        call::call_before_factor(setter, expr)
+    } else {
+        let piece = setter.piece(expr);
+        let least = match piece.hold {
+            Hold::Sign if is_first && kind != SymbolKind::NegativeQuantity => Hold::Sign,
+            Hold::Product if kind == SymbolKind::Quantity => Hold::Product,
+            _ => Hold::Fraction,
+        };
+        piece.at_least(least)
+    };
+    Factor {
+        math,
+        begins_with_number: matches!(kind, SymbolKind::Number),
+        is_quantity: kind == SymbolKind::Quantity,
     }
+}
 
-    /// What a factor begins with.
-    fn symbol_kind(&self, expr: &Expr) -> SymbolKind {
-        match expr.kind() {
-            Kind::Number(value) if value.is_negative() => SymbolKind::Negative,
-            Kind::Number(_) => SymbolKind::Number,
-            Kind::Name(name) => self.notation.name(name).kind,
-            Kind::Path(path) => self.notation.path(path).kind,
-            Kind::Binary(Operator::Power, base, _) => match self.symbol_kind(base) {
-                SymbolKind::Number => SymbolKind::Number,
-                // The base stands in parentheses.
-                _ => SymbolKind::Letter,
-            },
-            Kind::Negate(_) => SymbolKind::Negative,
+/// What a factor begins with.
+fn symbol_kind(setter: &Setter<'_>, expr: &Expr) -> SymbolKind {
+    match expr.kind() {
+        Kind::Number(value) if value.is_negative() => SymbolKind::Negative,
+        Kind::Number(_) => SymbolKind::Number,
+        Kind::Name(name) => setter.notation.name(name).kind,
+        Kind::Path(path) => setter.notation.path(path).kind,
+        Kind::Binary(Operator::Power, base, _) => match symbol_kind(setter, base) {
+            SymbolKind::Number => SymbolKind::Number,
+            // The base stands in parentheses.
             _ => SymbolKind::Letter,
-        }
+        },
+        Kind::Negate(_) => SymbolKind::Negative,
+        _ => SymbolKind::Letter,
     }
 }
 

@@ -20,36 +20,23 @@ pub struct Harmonic {
     pub phase: Normal,
 }
 
-impl Normal {
-    /// The part without time, and the harmonics of a function of time; nothing if it has other terms.
-    ///
-    /// ```
-    /// use vibank_formula::expr::{Expr, Name, Normal};
-    /// let force = Expr::read("F0*sin(Omega*t + phi) + m*g")?;
-    /// let (constant, harmonics) = Normal::of(&force)?.harmonics(&Name::new("t"))?.unwrap();
-    /// assert!(constant.is_equal(&Normal::of(&Expr::read("m*g")?)?)?);
-    /// assert!(harmonics[0].is_sine);
-    /// # Ok::<(), Box<dyn std::error::Error>>(())
-    /// ```
-    ///
-    /// # Errors
-    ///
-    /// [`SymbolicError::TooLarge`].
-    pub fn harmonics(&self, time: &Name) -> Result<Option<(Self, Vec<Harmonic>)>, SymbolicError> {
-        let (moving, constant) = self.split_by(&BTreeSet::from([time.clone()]));
-        let mut harmonics: Vec<Harmonic> = Vec::new();
-        for (monomial, coefficient) in &moving.0.0 {
-            let Some(harmonic) = harmonic(monomial, *coefficient, time) else {
-                return Ok(None);
-            };
-            let same = harmonics.iter_mut().find(|own| own.is_alike(&harmonic));
-            match same {
-                Some(own) => own.factor = own.factor.plus(&harmonic.factor)?,
-                None => harmonics.push(harmonic),
-            }
+pub(crate) fn apart(
+    function: &Normal,
+    time: &Name,
+) -> Result<Option<(Normal, Vec<Harmonic>)>, SymbolicError> {
+    let (moving, constant) = function.split_by(&BTreeSet::from([time.clone()]));
+    let mut harmonics: Vec<Harmonic> = Vec::new();
+    for (monomial, coefficient) in &moving.0.0 {
+        let Some(harmonic) = harmonic(monomial, *coefficient, time) else {
+            return Ok(None);
+        };
+        let same = harmonics.iter_mut().find(|own| own.is_alike(&harmonic));
+        match same {
+            Some(own) => own.factor = own.factor.plus(&harmonic.factor)?,
+            None => harmonics.push(harmonic),
         }
-        Ok(Some((constant, harmonics)))
     }
+    Ok(Some((constant, harmonics)))
 }
 
 impl Harmonic {

@@ -4,7 +4,7 @@ use std::cmp::Ordering;
 use std::ops::Deref;
 use std::sync::Arc;
 
-use super::term::{Atom, Polynomial};
+use super::term::Polynomial;
 
 /// A sum inside of an atom, shared by all its copies.
 #[derive(Clone, Debug)]
@@ -18,7 +18,7 @@ struct Nested {
 }
 
 impl Inner {
-    fn depth(&self) -> u32 {
+    pub(crate) fn depth(&self) -> u32 {
         self.0.depth
     }
 
@@ -64,18 +64,5 @@ impl Ord for Inner {
             return Ordering::Equal;
         }
         (**self).cmp(&**other)
-    }
-}
-
-impl Atom {
-    /// How many atoms stand in each other, this one included.
-    pub(crate) fn depth(&self) -> u32 {
-        let inner = match self {
-            Self::Constant(_) | Self::Variable(_) | Self::Opaque(_) => 0,
-            Self::Call(_, arguments) => arguments.iter().map(Inner::depth).max().unwrap_or(0),
-            Self::Base(base) => base.depth(),
-            Self::Power(base, exponent) => base.depth().max(exponent.depth()),
-        };
-        inner.saturating_add(1)
     }
 }

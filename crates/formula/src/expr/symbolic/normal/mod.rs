@@ -9,7 +9,7 @@
 //! [`Normal`] tells whether two formulas are equal, takes them apart by coordinates, divides common
 //! factors out, and writes them back as a textbook orders them ([`Order`]).
 
-mod calculus;
+mod cancel;
 mod harmonic;
 mod inner;
 mod power;
@@ -27,9 +27,9 @@ pub use write::Order;
 pub use write::sum_of_signed_terms;
 
 use super::{SymbolicError, Variable};
-use crate::expr::{Expr, Kind, Name};
+use crate::expr::{Expr, Name, differentiate, time_derivative};
 use crate::work;
-use term::{Atom, Monomial, Polynomial};
+use term::{Atom, Monomial, Polynomial, fits, settle};
 use vibank_dynamics::numerics::Rational;
 
 /// Elementary products and sums that one normal form may cost.
@@ -85,8 +85,8 @@ impl Normal {
 
     /// What cancels is cancelled, and angles are combined.
     fn finished(sum: Polynomial, work: &mut Work) -> Result<Self, SymbolicError> {
-        let cancelled = sum.cancelled(work)?;
-        Ok(Self(cancelled.with_angles_combined(work)?))
+        let cancelled = cancel::cancelled(sum, work)?;
+        Ok(Self(trigonometry::with_angles_combined(cancelled, work)?))
     }
 
     /// Whether it is zero as it stands; [`Self::is_equal`] looks further.
@@ -108,7 +108,7 @@ impl Normal {
     pub fn is_equal(&self, other: &Self) -> Result<bool, SymbolicError> {
         let work = &mut Work::new();
         let difference = self.0.clone().plus(other.0.clone().negated())?;
-        Ok(difference.canonical(work)?.is_zero())
+        Ok(cancel::canonical(&difference, work)?.is_zero())
     }
 
     /// The number of its terms.
@@ -132,7 +132,8 @@ impl Normal {
     /// [`SymbolicError::TooLarge`].
     pub fn times(&self, other: &Self) -> Result<Self, SymbolicError> {
         let work = &mut Work::new();
-        Ok(Self(self.0.times(&other.0, work)?.cancelled(work)?))
+        let product = self.0.times(&other.0, work)?;
+        Ok(Self(cancel::cancelled(product, work)?))
     }
 
     /// The opposite.
@@ -152,7 +153,8 @@ impl Normal {
             return Ok(Self(exact));
         }
         let inverse = divisor.0.power(-Rational::ONE, work)?;
-        Ok(Self(self.0.times(&inverse, work)?.cancelled(work)?))
+        let quotient = self.0.times(&inverse, work)?;
+        Ok(Self(cancel::cancelled(quotient, work)?))
     }
 
     /// The terms apart by the powers of one variable: exponent and coefficient, ascending; nothing
@@ -261,14 +263,14 @@ impl Normal {
             return Ok((Self(Polynomial::one()), self.clone()));
         }
         let work = &mut Work::new();
-        let (content, common, _) = self.0.primitive()?;
+        let (content, common, _) = power::primitive(&self.0)?;
         let factors = common
             .0
             .into_iter()
             .filter(|(atom, _)| !atom.mentions(kept));
         let factor = Polynomial::term(Monomial(factors.collect()), content.abs());
         let inverse = factor.power(-Rational::ONE, work)?;
-        let rest = self.0.times(&inverse, work)?.cancelled(work)?;
+        let rest = cancel::cancelled(self.0.times(&inverse, work)?, work)?;
         Ok((Self(factor), Self(rest)))
     }
 
@@ -281,47 +283,135 @@ impl Normal {
     pub fn to_bracket(&self, order: &Order) -> Expr {
         write::bracket(&self.0, order)
     }
-}
 
-impl Atom {
-    /// Whether one of these names stands in it.
-    fn mentions(&self, names: &BTreeSet<Name>) -> bool {
-        match self {
-            Self::Constant(_) => false,
-            Self::Variable(variable) => names.contains(&variable.name),
-            Self::Call(_, arguments) => arguments.iter().any(|sum| sum.mentions(names)),
-            Self::Base(sum) => sum.mentions(names),
-            Self::Power(base, exponent) => base.mentions(names) || exponent.mentions(names),
-            Self::Opaque(opaque) => {
-                let mut found = false;
-                opaque.expr.walk(&mut |node| {
-                    found |= matches!(node.kind(), Kind::Name(name) if names.contains(name));
-                });
-                found
+    /// The partial derivative.
+    ///
+    /// ```
+    /// use vibank_formula::expr::{Expr, Normal, Variable};
+    /// let energy = Normal::of(&Expr::read("1/2*k*x^2 + m*g*x")?)?;
+    /// let force = Normal::of(&Expr::read("k*x + m*g")?)?;
+    /// assert_eq!(energy.derivative(&Variable::from("x"))?, force);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    ///
+    /// Those of [`differentiate`] and [`Self::of`].
+    pub fn derivative(&self, by: &Variable) -> Result<Self, SymbolicError> {
+        match self.derivative_by_terms(by)? {
+            Some(derivative) => Ok(derivative),
+            None => Self::of(&differentiate(&self.to_expr(&Order::new()), by.clone())?),
+        }
+    }
+
+    /// The partial derivative of a formula whose normal form this is; what is wrong with it has its place there.
+    ///
+    /// # Errors
+    ///
+    /// Those of [`differentiate`] and [`Self::of`].
+    pub fn derivative_of(&self, formula: &Expr, by: &Variable) -> Result<Self, SymbolicError> {
+        match self.derivative_by_terms(by)? {
+            Some(derivative) => Ok(derivative),
+            None => Self::of(&differentiate(formula, by.clone())?),
+        }
+    }
+
+    /// The partial derivative, where the variable stands in no function, and below in powers alone, as it does in the
+    /// energies of linear systems: nothing has to be written as a formula and read again.
+    fn derivative_by_terms(&self, by: &Variable) -> Result<Option<Self>, SymbolicError> {
+        let own = Atom::Variable(by.clone());
+        if self.atoms().any(|atom| *atom != own && atom.contains(by)) {
+            return Ok(None);
+        }
+        let work = &mut Work::new();
+        let mut sum = Polynomial::default();
+        for (monomial, coefficient) in &self.0.0 {
+            let exponent = monomial.exponent(&own);
+            if !exponent.is_zero() {
+                let factor = fits(coefficient.checked_mul(exponent))?;
+                let lower = Monomial::of(own.clone(), -Rational::ONE);
+                settle(monomial.times(&lower)?, factor, &mut sum, work)?;
             }
         }
+        Self::finished(sum, work).map(Some)
     }
 
-    /// Whether this variable stands in it, with just this order of derivative where that can be told.
-    fn contains(&self, variable: &Variable) -> bool {
-        let inside = |sum: &Polynomial| {
-            let mut monomials = sum.0.keys();
-            monomials.any(|monomial| monomial.0.iter().any(|(atom, _)| atom.contains(variable)))
+    /// The total derivative by time, where these names move: see [`time_derivative`].
+    ///
+    /// # Errors
+    ///
+    /// Those of [`time_derivative`] and [`Self::of`].
+    pub fn time_derivative(&self, moving: &BTreeSet<Name>) -> Result<Self, SymbolicError> {
+        let moves = |name: &Name| name.as_str() == "t" || moving.contains(name);
+        let is_varying = |atom: &Atom| match atom {
+            Atom::Variable(own) => own.name.as_str() == "t" || own.order > 0 && !moves(&own.name),
+            other => other.any_variable(&|own| own.order > 0 || moves(&own.name)),
         };
-        match self {
-            Self::Constant(_) => false,
-            Self::Variable(own) => own == variable,
-            Self::Call(_, arguments) => arguments.iter().any(|sum| inside(sum)),
-            Self::Base(sum) => inside(sum),
-            Self::Power(base, exponent) => inside(base) || inside(exponent),
-            Self::Opaque(_) => self.mentions(&BTreeSet::from([variable.name.clone()])),
+        if self.atoms().any(is_varying) {
+            let formula = self.to_expr(&Order::new());
+            return Self::of(&time_derivative(&formula, moving)?);
         }
+        let work = &mut Work::new();
+        let mut sum = Polynomial::default();
+        for (monomial, coefficient) in &self.0.0 {
+            for (atom, exponent) in &monomial.0 {
+                let Atom::Variable(own) = atom else { continue };
+                if !moves(&own.name) {
+                    continue;
+                }
+                let rate = Atom::Variable(Variable::of(&own.name, own.order.saturating_add(1)));
+                let factor = fits(coefficient.checked_mul(*exponent))?;
+                let lower = monomial.times(&Monomial::of(atom.clone(), -Rational::ONE))?;
+                let term = lower.times(&Monomial::of(rate, Rational::ONE))?;
+                settle(term, factor, &mut sum, work)?;
+            }
+        }
+        Self::finished(sum, work)
     }
-}
 
-impl Polynomial {
-    fn mentions(&self, names: &BTreeSet<Name>) -> bool {
-        let mut monomials = self.0.keys();
-        monomials.any(|monomial| monomial.0.iter().any(|(atom, _)| atom.mentions(names)))
+    /// The value where these variables are zero; nothing where one of them stands within a function, or below.
+    pub fn where_zero(&self, is_zero: &dyn Fn(&Variable) -> bool) -> Option<Self> {
+        let vanishes = |(atom, _): &(Atom, Rational)| match atom {
+            Atom::Variable(own) => is_zero(own),
+            _ => false,
+        };
+        let mut kept = Polynomial::default();
+        for (monomial, coefficient) in &self.0.0 {
+            let is_hidden = |(atom, exponent): &(Atom, Rational)| match atom {
+                Atom::Variable(own) => exponent.is_negative() && is_zero(own),
+                other => other.any_variable(is_zero),
+            };
+            if monomial.0.iter().any(is_hidden) {
+                return None;
+            }
+            if !monomial.0.iter().any(vanishes) {
+                kept.0.insert(monomial.clone(), *coefficient);
+            }
+        }
+        Self::finished(kept, &mut Work::new()).ok()
+    }
+
+    /// All factors of all terms.
+    fn atoms(&self) -> impl Iterator<Item = &Atom> {
+        let factors = self.0.0.keys().flat_map(|monomial| &monomial.0);
+        factors.map(|(atom, _)| atom)
+    }
+
+    /// The part without time, and the harmonics of a function of time; nothing if it has other terms.
+    ///
+    /// ```
+    /// use vibank_formula::expr::{Expr, Name, Normal};
+    /// let force = Expr::read("F0*sin(Omega*t + phi) + m*g")?;
+    /// let (constant, harmonics) = Normal::of(&force)?.harmonics(&Name::new("t"))?.unwrap();
+    /// assert!(constant.is_equal(&Normal::of(&Expr::read("m*g")?)?)?);
+    /// assert!(harmonics[0].is_sine);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    ///
+    /// [`SymbolicError::TooLarge`].
+    pub fn harmonics(&self, time: &Name) -> Result<Option<(Self, Vec<Harmonic>)>, SymbolicError> {
+        harmonic::apart(self, time)
     }
 }

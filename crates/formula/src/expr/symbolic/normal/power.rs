@@ -12,109 +12,116 @@ const MAX_EXPONENT: i128 = 64;
 /// Numbers under roots are taken apart by divisors up to this one; what is left counts as a prime.
 const MAX_DIVISOR: i128 = 1_000;
 
-impl Polynomial {
-    /// The power with an exact exponent.
-    pub(crate) fn power(&self, exponent: Rational, work: &mut Work) -> Result<Self, SymbolicError> {
-        if exponent.is_zero() {
-            return Ok(Self::one());
-        }
-        if self.is_zero() {
-            return if exponent.is_negative() {
-                Err(SymbolicError::Undefined)
-            } else {
-                Ok(self.clone())
-            };
-        }
-        if exponent.abs().numerator() > MAX_EXPONENT * exponent.denominator() {
-            return Err(SymbolicError::TooLarge);
-        }
-        if let Some(number) = self.as_number() {
-            return power_of_number(number, exponent, work);
-        }
-        if !exponent.is_integer() {
-            return self.root(exponent, work);
-        }
-        if let Some((monomial, coefficient)) = self.as_term() {
-            let scale = power_of_number(coefficient, exponent, work)?;
-            let mut power = Self::default();
-            settle(monomial.power(exponent)?, Rational::ONE, &mut power, work)?;
-            return power.times(&scale, work);
-        }
-        if !exponent.is_negative() {
-            let whole = exponent.numerator();
-            return self.raised(u32::try_from(whole).unwrap_or(u32::MAX), work);
-        }
-        let (content, common, rest) = self.primitive()?;
-        let outside = Self::term(common, content).power(exponent, work)?;
-        let base = Atom::Base(Inner::from(rest));
-        Self::term(Monomial::of(base, exponent), Rational::ONE).times(&outside, work)
+pub(crate) fn of(
+    polynomial: &Polynomial,
+    exponent: Rational,
+    work: &mut Work,
+) -> Result<Polynomial, SymbolicError> {
+    if exponent.is_zero() {
+        return Ok(Polynomial::one());
     }
+    if polynomial.is_zero() {
+        return if exponent.is_negative() {
+            Err(SymbolicError::Undefined)
+        } else {
+            Ok(polynomial.clone())
+        };
+    }
+    if exponent.abs().numerator() > MAX_EXPONENT * exponent.denominator() {
+        return Err(SymbolicError::TooLarge);
+    }
+    if let Some(number) = polynomial.as_number() {
+        return power_of_number(number, exponent, work);
+    }
+    if !exponent.is_integer() {
+        return root(polynomial, exponent, work);
+    }
+    if let Some((monomial, coefficient)) = polynomial.as_term() {
+        let scale = power_of_number(coefficient, exponent, work)?;
+        let mut power = Polynomial::default();
+        settle(monomial.power(exponent)?, Rational::ONE, &mut power, work)?;
+        return power.times(&scale, work);
+    }
+    if !exponent.is_negative() {
+        let whole = exponent.numerator();
+        return polynomial.raised(u32::try_from(whole).unwrap_or(u32::MAX), work);
+    }
+    let (content, common, rest) = primitive(polynomial)?;
+    let outside = of(&Polynomial::term(common, content), exponent, work)?;
+    let base = Atom::Base(Inner::from(rest));
+    Polynomial::term(Monomial::of(base, exponent), Rational::ONE).times(&outside, work)
+}
 
-    /// A power that is not whole: of the positive numbers in front, and of all the rest as one base,
-    /// because a root may not be split without knowing signs.
-    fn root(&self, exponent: Rational, work: &mut Work) -> Result<Self, SymbolicError> {
-        let content = self.content()?;
-        let mut rest = self
-            .clone()
-            .scaled(fits(Rational::ONE.checked_div(content))?)?;
-        let mut outside = power_of_number(content, exponent, work)?;
-        if let Some((monomial, coefficient)) = rest.as_term() {
-            let (positive, others): (Vec<_>, Vec<_>) = monomial
-                .0
-                .iter()
-                .cloned()
-                .partition(|(atom, _)| is_positive(atom));
-            let positive = Self::term(Monomial(positive).power(exponent)?, Rational::ONE);
-            outside = outside.times(&positive, work)?;
-            rest = Self::term(Monomial(others), coefficient);
-            if let Some(sign) = rest.as_number() {
-                return outside.times(&power_of_number(sign, exponent, work)?, work);
-            }
+/// A power that is not whole: of the positive numbers in front, and of all the rest as one base,
+/// because a root may not be split without knowing signs.
+fn root(
+    polynomial: &Polynomial,
+    exponent: Rational,
+    work: &mut Work,
+) -> Result<Polynomial, SymbolicError> {
+    let content = content(polynomial)?;
+    let mut rest = polynomial
+        .clone()
+        .scaled(fits(Rational::ONE.checked_div(content))?)?;
+    let mut outside = power_of_number(content, exponent, work)?;
+    if let Some((monomial, coefficient)) = rest.as_term() {
+        let (positive, others): (Vec<_>, Vec<_>) = monomial
+            .0
+            .iter()
+            .cloned()
+            .partition(|(atom, _)| is_positive(atom));
+        let positive = Polynomial::term(Monomial(positive).power(exponent)?, Rational::ONE);
+        outside = outside.times(&positive, work)?;
+        rest = Polynomial::term(Monomial(others), coefficient);
+        if let Some(sign) = rest.as_number() {
+            return outside.times(&power_of_number(sign, exponent, work)?, work);
         }
-        let base = Atom::Base(Inner::from(rest));
-        let mut power = Self::default();
-        settle(
-            Monomial::of(base, exponent),
-            Rational::ONE,
-            &mut power,
-            work,
-        )?;
-        power.times(&outside, work)
     }
+    let base = Atom::Base(Inner::from(rest));
+    let mut power = Polynomial::default();
+    settle(
+        Monomial::of(base, exponent),
+        Rational::ONE,
+        &mut power,
+        work,
+    )?;
+    power.times(&outside, work)
+}
 
-    /// The positive number that divides all coefficients and leaves integers without common divisor.
-    fn content(&self) -> Result<Rational, SymbolicError> {
-        let mut coefficients = self.0.values();
-        let first = coefficients.next().copied().unwrap_or(Rational::ONE).abs();
-        coefficients.try_fold(first, |common, own| fits(common_divisor(common, own.abs())))
-    }
+/// The positive number that divides all coefficients and leaves integers without common divisor.
+fn content(polynomial: &Polynomial) -> Result<Rational, SymbolicError> {
+    let mut coefficients = polynomial.0.values();
+    let first = coefficients.next().copied().unwrap_or(Rational::ONE).abs();
+    coefficients.try_fold(first, |common, own| fits(common_divisor(common, own.abs())))
+}
 
-    /// The product of atoms that stands in all terms, with negative exponents taken along.
-    fn common_monomial(&self) -> Monomial {
-        let mut monomials = self.0.keys();
-        let first = monomials.next().cloned().unwrap_or_default();
-        monomials.fold(first, |common, own| common.common(own))
-    }
+/// The product of atoms that stands in all terms, with negative exponents taken along.
+fn common_monomial(polynomial: &Polynomial) -> Monomial {
+    let mut monomials = polynomial.0.keys();
+    let first = monomials.next().cloned().unwrap_or_default();
+    monomials.fold(first, |common, own| common.common(own))
+}
 
-    /// Number, monomial and rest whose product it is; the rest has whole coefficients without common
-    /// divisor, no common atom, and a positive leading term.
-    pub(crate) fn primitive(&self) -> Result<(Rational, Monomial, Self), SymbolicError> {
-        let mut content = self.content()?;
-        if self
-            .leading()
-            .is_some_and(|(_, leading)| leading.is_negative())
-        {
-            content = -content;
-        }
-        let common = self.common_monomial();
-        let (divisor, inverse) = (fits(Rational::ONE.checked_div(content))?, common.inverse());
-        let mut rest = Self::default();
-        for (monomial, coefficient) in &self.0 {
-            let coefficient = fits(coefficient.checked_mul(divisor))?;
-            rest.insert(monomial.times(&inverse)?, coefficient)?;
-        }
-        Ok((content, common, rest))
+/// Number, monomial and rest whose product it is; the rest has whole coefficients without common
+/// divisor, no common atom, and a positive leading term.
+pub(crate) fn primitive(
+    polynomial: &Polynomial,
+) -> Result<(Rational, Monomial, Polynomial), SymbolicError> {
+    let mut content = content(polynomial)?;
+    if polynomial
+        .leading()
+        .is_some_and(|(_, leading)| leading.is_negative())
+    {
+        content = -content;
     }
+    let common = common_monomial(polynomial);
+    let (divisor, inverse) = (fits(Rational::ONE.checked_div(content))?, common.inverse());
+    let mut rest = Polynomial::default();
+    for (monomial, coefficient) in &polynomial.0 {
+        let coefficient = fits(coefficient.checked_mul(divisor))?;
+        rest.insert(monomial.times(&inverse)?, coefficient)?;
+    }
+    Ok((content, common, rest))
 }
 
 fn is_positive(atom: &Atom) -> bool {

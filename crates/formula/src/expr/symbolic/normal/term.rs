@@ -1,12 +1,12 @@
 //! Sums of products with exact coefficients.
 
 use std::cmp::Ordering;
-use std::collections::BTreeMap;
 use std::collections::btree_map::Entry;
+use std::collections::{BTreeMap, BTreeSet};
 
 use super::inner::Inner;
-use super::{SymbolicError, Work};
-use crate::expr::{Constant, Expr, Function, Variable};
+use super::{SymbolicError, Work, power};
+use crate::expr::{Constant, Expr, Function, Kind, Name, Variable};
 use crate::work;
 use vibank_dynamics::numerics::Rational;
 
@@ -26,6 +26,77 @@ pub(crate) enum Atom {
     Power(Inner, Inner),
     /// Anything else, compared by how it is written.
     Opaque(Opaque),
+}
+
+impl Atom {
+    /// Whether one of these names stands in it.
+    pub(crate) fn mentions(&self, names: &BTreeSet<Name>) -> bool {
+        match self {
+            Self::Constant(_) => false,
+            Self::Variable(variable) => names.contains(&variable.name),
+            Self::Call(_, arguments) => arguments.iter().any(|sum| sum.mentions(names)),
+            Self::Base(sum) => sum.mentions(names),
+            Self::Power(base, exponent) => base.mentions(names) || exponent.mentions(names),
+            Self::Opaque(opaque) => {
+                let mut found = false;
+                opaque.expr.walk(&mut |node| {
+                    found |= matches!(node.kind(), Kind::Name(name) if names.contains(name));
+                });
+                found
+            }
+        }
+    }
+
+    /// Whether this variable stands in it, with just this order of derivative where that can be told.
+    pub(crate) fn contains(&self, variable: &Variable) -> bool {
+        let inside = |sum: &Polynomial| {
+            let mut monomials = sum.0.keys();
+            monomials.any(|monomial| monomial.0.iter().any(|(atom, _)| atom.contains(variable)))
+        };
+        match self {
+            Self::Constant(_) => false,
+            Self::Variable(own) => own == variable,
+            Self::Call(_, arguments) => arguments.iter().any(|sum| inside(sum)),
+            Self::Base(sum) => inside(sum),
+            Self::Power(base, exponent) => inside(base) || inside(exponent),
+            Self::Opaque(_) => self.mentions(&BTreeSet::from([variable.name.clone()])),
+        }
+    }
+
+    /// Whether such a variable stands in it; of what is kept as it is written, whether its name does.
+    pub(crate) fn any_variable(&self, is_wanted: &dyn Fn(&Variable) -> bool) -> bool {
+        let inside = |sum: &Polynomial| {
+            let mut factors = sum.0.keys().flat_map(|monomial| &monomial.0);
+            factors.any(|(atom, _)| atom.any_variable(is_wanted))
+        };
+        match self {
+            Self::Constant(_) => false,
+            Self::Variable(own) => is_wanted(own),
+            Self::Call(_, arguments) => arguments.iter().any(|sum| inside(sum)),
+            Self::Base(sum) => inside(sum),
+            Self::Power(base, exponent) => inside(base) || inside(exponent),
+            Self::Opaque(opaque) => {
+                let mut found = false;
+                opaque.expr.walk(&mut |node| {
+                    if let Kind::Name(name) = node.kind() {
+                        found |= (0..=2).any(|order| is_wanted(&Variable::of(name, order)));
+                    }
+                });
+                found
+            }
+        }
+    }
+
+    /// How many atoms stand in each other, this one included.
+    pub(crate) fn depth(&self) -> u32 {
+        let inner = match self {
+            Self::Constant(_) | Self::Variable(_) | Self::Opaque(_) => 0,
+            Self::Call(_, arguments) => arguments.iter().map(Inner::depth).max().unwrap_or(0),
+            Self::Base(base) => base.depth(),
+            Self::Power(base, exponent) => base.depth().max(exponent.depth()),
+        };
+        inner.saturating_add(1)
+    }
 }
 
 /// A formula that is kept as it stands.
@@ -300,6 +371,11 @@ impl Polynomial {
         Ok(product)
     }
 
+    /// The power with an exact exponent.
+    pub(crate) fn power(&self, exponent: Rational, work: &mut Work) -> Result<Self, SymbolicError> {
+        power::of(self, exponent, work)
+    }
+
     /// The power with a whole exponent that is not negative.
     pub(crate) fn raised(&self, exponent: u32, work: &mut Work) -> Result<Self, SymbolicError> {
         // One factor after the other: squaring would multiply two long sums, which takes more products of
@@ -333,6 +409,11 @@ impl Polynomial {
             rest = rest.plus(step.times(divisor, work)?.negated())?;
         }
         Ok(None)
+    }
+
+    pub(crate) fn mentions(&self, names: &BTreeSet<Name>) -> bool {
+        let mut monomials = self.0.keys();
+        monomials.any(|monomial| monomial.0.iter().any(|(atom, _)| atom.mentions(names)))
     }
 }
 

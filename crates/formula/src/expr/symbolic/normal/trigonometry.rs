@@ -151,179 +151,188 @@ fn sine_of_twelfths(share: Rational) -> Option<Rational> {
 /// What is substituted for an atom, if anything is.
 type Change<'a> = dyn FnMut(&Atom, &mut Work) -> Result<Option<Polynomial>, SymbolicError> + 'a;
 
-impl Polynomial {
-    /// Puts another sum in for atoms, wherever `change` has one.
-    fn with_atoms_changed(
-        &self,
-        work: &mut Work,
-        change: &mut Change<'_>,
-    ) -> Result<Self, SymbolicError> {
-        let mut sum = Self::default();
-        for (monomial, coefficient) in &self.0 {
-            work.spend(1 + monomial.0.len())?;
-            let mut product = Self::number(*coefficient);
-            for (atom, exponent) in &monomial.0 {
-                let factor = if let Some(changed) = change(atom, work)? {
-                    changed.power(*exponent, work)?
-                } else {
-                    let mut own = Self::default();
-                    let power = Monomial::of(atom.clone(), *exponent);
-                    settle(power, Rational::ONE, &mut own, work)?;
-                    own
-                };
-                product = product.times(&factor, work)?;
-            }
-            sum = sum.plus(product)?;
+/// Puts another sum in for atoms, wherever `change` has one.
+fn with_atoms_changed(
+    polynomial: &Polynomial,
+    work: &mut Work,
+    change: &mut Change<'_>,
+) -> Result<Polynomial, SymbolicError> {
+    let mut sum = Polynomial::default();
+    for (monomial, coefficient) in &polynomial.0 {
+        work.spend(1 + monomial.0.len())?;
+        let mut product = Polynomial::number(*coefficient);
+        for (atom, exponent) in &monomial.0 {
+            let factor = if let Some(changed) = change(atom, work)? {
+                changed.power(*exponent, work)?
+            } else {
+                let mut own = Polynomial::default();
+                let power = Monomial::of(atom.clone(), *exponent);
+                settle(power, Rational::ONE, &mut own, work)?;
+                own
+            };
+            product = product.times(&factor, work)?;
         }
-        Ok(sum)
+        sum = sum.plus(product)?;
     }
+    Ok(sum)
+}
 
-    /// Sines and cosines of sums and of multiples written in those of single angles.
-    pub(crate) fn with_angles_apart(&self, work: &mut Work) -> Result<Self, SymbolicError> {
-        // In one unit: with sin 2x and sin x as atoms of their own, sin 2x - 2 sin x cos x would not vanish.
-        let mut units = BTreeMap::new();
-        self.collect_angles(&mut units);
-        self.with_angles_in(&units, work)
-    }
+/// Sines and cosines of sums and of multiples written in those of single angles.
+pub(crate) fn with_angles_apart(
+    polynomial: &Polynomial,
+    work: &mut Work,
+) -> Result<Polynomial, SymbolicError> {
+    // In one unit: with sin 2x and sin x as atoms of their own, sin 2x - 2 sin x cos x would not vanish.
+    let mut units = BTreeMap::new();
+    collect_angles(polynomial, &mut units);
+    with_angles_in(polynomial, &units, work)
+}
 
-    /// The greatest common divisor of the multiples in which each angle occurs.
-    fn collect_angles(&self, units: &mut BTreeMap<Monomial, Rational>) {
-        for atom in self.0.keys().flat_map(|monomial| &monomial.0) {
-            match &atom.0 {
-                Atom::Call(Function::Sin | Function::Cos, arguments) => {
-                    for (angle, multiple) in arguments.iter().flat_map(|sum| &sum.0) {
-                        let unit = units
-                            .get(angle)
-                            .and_then(|unit| common_divisor(*unit, multiple.abs()))
-                            .unwrap_or(multiple.abs());
-                        units.insert(angle.clone(), unit);
-                    }
+/// The greatest common divisor of the multiples in which each angle occurs.
+fn collect_angles(polynomial: &Polynomial, units: &mut BTreeMap<Monomial, Rational>) {
+    for atom in polynomial.0.keys().flat_map(|monomial| &monomial.0) {
+        match &atom.0 {
+            Atom::Call(Function::Sin | Function::Cos, arguments) => {
+                for (angle, multiple) in arguments.iter().flat_map(|sum| &sum.0) {
+                    let unit = units
+                        .get(angle)
+                        .and_then(|unit| common_divisor(*unit, multiple.abs()))
+                        .unwrap_or(multiple.abs());
+                    units.insert(angle.clone(), unit);
                 }
-                Atom::Base(sum) => sum.collect_angles(units),
-                _ => {}
             }
+            Atom::Base(sum) => collect_angles(sum, units),
+            _ => {}
         }
     }
+}
 
-    fn with_angles_in(
-        &self,
-        units: &BTreeMap<Monomial, Rational>,
-        work: &mut Work,
-    ) -> Result<Self, SymbolicError> {
-        self.with_atoms_changed(work, &mut |atom, work| match atom {
-            Atom::Call(Function::Sin, arguments) => {
-                Ok(Some(sine_and_cosine(&arguments[0], units, work)?.0))
-            }
-            Atom::Call(Function::Cos, arguments) => {
-                Ok(Some(sine_and_cosine(&arguments[0], units, work)?.1))
-            }
-            Atom::Base(sum) => Ok(Some(sum.with_angles_in(units, work)?)),
-            _ => Ok(None),
+fn with_angles_in(
+    polynomial: &Polynomial,
+    units: &BTreeMap<Monomial, Rational>,
+    work: &mut Work,
+) -> Result<Polynomial, SymbolicError> {
+    with_atoms_changed(polynomial, work, &mut |atom, work| match atom {
+        Atom::Call(Function::Sin, arguments) => {
+            Ok(Some(sine_and_cosine(&arguments[0], units, work)?.0))
+        }
+        Atom::Call(Function::Cos, arguments) => {
+            Ok(Some(sine_and_cosine(&arguments[0], units, work)?.1))
+        }
+        Atom::Base(sum) => Ok(Some(with_angles_in(sum, units, work)?)),
+        _ => Ok(None),
+    })
+}
+
+/// sin² replaced by 1 − cos² everywhere.
+pub(crate) fn with_sines_reduced(
+    polynomial: &Polynomial,
+    work: &mut Work,
+) -> Result<Polynomial, SymbolicError> {
+    let mut sum = polynomial.clone();
+    for angle in squared_angles(polynomial) {
+        sum = with_square_replaced(&sum, [Function::Sin, Function::Cos], &angle, work)?;
+    }
+    Ok(sum)
+}
+
+/// The angles whose sine or cosine stands at least squared.
+fn squared_angles(polynomial: &Polynomial) -> Vec<Inner> {
+    let factors = polynomial.0.keys().flat_map(|monomial| &monomial.0);
+    let mut angles: Vec<_> = factors
+        .filter(|(_, exponent)| *exponent >= Rational::from(2))
+        .filter_map(|(atom, _)| match atom {
+            Atom::Call(Function::Sin | Function::Cos, arguments) => Some(arguments[0].clone()),
+            _ => None,
         })
-    }
+        .collect();
+    vibank_dynamics::numerics::sort_by(&mut angles, Ord::cmp);
+    angles.dedup();
+    angles
+}
 
-    /// sin² replaced by 1 − cos² everywhere.
-    pub(crate) fn with_sines_reduced(&self, work: &mut Work) -> Result<Self, SymbolicError> {
-        let mut sum = self.clone();
-        for angle in self.squared_angles() {
-            sum = sum.with_square_replaced([Function::Sin, Function::Cos], &angle, work)?;
+/// f(angle)² replaced by 1 − g(angle)².
+fn with_square_replaced(
+    polynomial: &Polynomial,
+    [from, to]: [Function; 2],
+    angle: &Inner,
+    work: &mut Work,
+) -> Result<Polynomial, SymbolicError> {
+    let square = Atom::Call(from, vec![angle.clone()]);
+    let other = Monomial::of(Atom::Call(to, vec![angle.clone()]), Rational::from(2));
+    let one_less = Polynomial::one().plus(Polynomial::term(other, -Rational::ONE))?;
+    let mut sum = Polynomial::default();
+    for (monomial, coefficient) in &polynomial.0 {
+        let exponent = monomial.exponent(&square);
+        if exponent < Rational::from(2) || !exponent.is_integer() {
+            sum.insert(monomial.clone(), *coefficient)?;
+            continue;
         }
-        Ok(sum)
+        let pairs = u32::try_from(exponent.numerator() / 2).unwrap_or(u32::MAX);
+        let mut rest = monomial.without(&square);
+        if exponent.numerator() % 2 == 1 {
+            rest = rest.times(&Monomial::of(square.clone(), Rational::ONE))?;
+        }
+        let product = Polynomial::term(rest, *coefficient);
+        sum = sum.plus(product.times(&one_less.raised(pairs, work)?, work)?)?;
     }
+    Ok(sum)
+}
 
-    /// The angles whose sine or cosine stands at least squared.
-    fn squared_angles(&self) -> Vec<Inner> {
-        let factors = self.0.keys().flat_map(|monomial| &monomial.0);
-        let mut angles: Vec<_> = factors
-            .filter(|(_, exponent)| *exponent >= Rational::from(2))
-            .filter_map(|(atom, _)| match atom {
-                Atom::Call(Function::Sin | Function::Cos, arguments) => Some(arguments[0].clone()),
-                _ => None,
-            })
-            .collect();
-        vibank_dynamics::numerics::sort_by(&mut angles, Ord::cmp);
-        angles.dedup();
-        angles
+/// The shortest form by sin² + cos² = 1, and products of two angles as one of their sum or difference
+/// where that joins two terms.
+pub(crate) fn with_angles_combined(
+    polynomial: Polynomial,
+    work: &mut Work,
+) -> Result<Polynomial, SymbolicError> {
+    let mut sum = polynomial;
+    for angle in squared_angles(&sum) {
+        for pair in [
+            [Function::Sin, Function::Cos],
+            [Function::Cos, Function::Sin],
+        ] {
+            let replaced = with_square_replaced(&sum, pair, &angle, work)?;
+            if replaced.0.len() < sum.0.len() {
+                sum = replaced;
+            }
+        }
     }
+    while let Some(shorter) = with_two_terms_joined(&sum, work)? {
+        sum = shorter;
+    }
+    Ok(sum)
+}
 
-    /// f(angle)² replaced by 1 − g(angle)².
-    fn with_square_replaced(
-        &self,
-        [from, to]: [Function; 2],
-        angle: &Inner,
-        work: &mut Work,
-    ) -> Result<Self, SymbolicError> {
-        let square = Atom::Call(from, vec![angle.clone()]);
-        let other = Monomial::of(Atom::Call(to, vec![angle.clone()]), Rational::from(2));
-        let one_less = Self::one().plus(Self::term(other, -Rational::ONE))?;
-        let mut sum = Self::default();
-        for (monomial, coefficient) in &self.0 {
-            let exponent = monomial.exponent(&square);
-            if exponent < Rational::from(2) || !exponent.is_integer() {
-                sum.insert(monomial.clone(), *coefficient)?;
+/// cos a cos b ± sin a sin b and sin a cos b ± cos a sin b as one term, if there are such two.
+fn with_two_terms_joined(
+    polynomial: &Polynomial,
+    work: &mut Work,
+) -> Result<Option<Polynomial>, SymbolicError> {
+    if polynomial.0.len() > MAX_TERMS_COMBINED {
+        return Ok(None);
+    }
+    for (monomial, coefficient) in &polynomial.0 {
+        for [first, second] in pairs_of_angles(monomial) {
+            work.spend(1 + monomial.0.len())?;
+            let partner =
+                first
+                    .conjugate()
+                    .times_with(&second.conjugate(), monomial, [&first, &second])?;
+            let Some(other) = polynomial.0.get(&partner).filter(|_| partner != *monomial) else {
                 continue;
-            }
-            let pairs = u32::try_from(exponent.numerator() / 2).unwrap_or(u32::MAX);
-            let mut rest = monomial.without(&square);
-            if exponent.numerator() % 2 == 1 {
-                rest = rest.times(&Monomial::of(square.clone(), Rational::ONE))?;
-            }
-            let product = Self::term(rest, *coefficient);
-            sum = sum.plus(product.times(&one_less.raised(pairs, work)?, work)?)?;
+            };
+            let Some(joined) = joined([&first, &second], *coefficient, *other, work)? else {
+                continue;
+            };
+            let rest = without_both(monomial, [&first, &second])?;
+            let mut sum = polynomial.clone();
+            sum.0.remove(monomial);
+            sum.0.remove(&partner);
+            let term = Polynomial::term(rest, *coefficient).times(&joined, work)?;
+            return Ok(Some(sum.plus(term)?));
         }
-        Ok(sum)
     }
-
-    /// The shortest form by sin² + cos² = 1, and products of two angles as one of their sum or difference
-    /// where that joins two terms.
-    pub(crate) fn with_angles_combined(self, work: &mut Work) -> Result<Self, SymbolicError> {
-        let mut sum = self;
-        for angle in sum.squared_angles() {
-            for pair in [
-                [Function::Sin, Function::Cos],
-                [Function::Cos, Function::Sin],
-            ] {
-                let replaced = sum.with_square_replaced(pair, &angle, work)?;
-                if replaced.0.len() < sum.0.len() {
-                    sum = replaced;
-                }
-            }
-        }
-        while let Some(shorter) = sum.with_two_terms_joined(work)? {
-            sum = shorter;
-        }
-        Ok(sum)
-    }
-
-    /// cos a cos b ± sin a sin b and sin a cos b ± cos a sin b as one term, if there are such two.
-    fn with_two_terms_joined(&self, work: &mut Work) -> Result<Option<Self>, SymbolicError> {
-        if self.0.len() > MAX_TERMS_COMBINED {
-            return Ok(None);
-        }
-        for (monomial, coefficient) in &self.0 {
-            for [first, second] in pairs_of_angles(monomial) {
-                work.spend(1 + monomial.0.len())?;
-                let partner = first.conjugate().times_with(
-                    &second.conjugate(),
-                    monomial,
-                    [&first, &second],
-                )?;
-                let Some(other) = self.0.get(&partner).filter(|_| partner != *monomial) else {
-                    continue;
-                };
-                let Some(joined) = joined([&first, &second], *coefficient, *other, work)? else {
-                    continue;
-                };
-                let rest = without_both(monomial, [&first, &second])?;
-                let mut sum = self.clone();
-                sum.0.remove(monomial);
-                sum.0.remove(&partner);
-                let term = Self::term(rest, *coefficient).times(&joined, work)?;
-                return Ok(Some(sum.plus(term)?));
-            }
-        }
-        Ok(None)
-    }
+    Ok(None)
 }
 
 /// A sine or cosine that is a factor of a term.

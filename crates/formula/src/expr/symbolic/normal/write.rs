@@ -5,6 +5,7 @@ use std::cmp::Reverse;
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::inner::Inner;
+use super::power::primitive;
 use super::term::{Atom, Monomial, Polynomial};
 use crate::expr::{Expr, Function, Kind, Name, Operator};
 use vibank_dynamics::numerics::Rational;
@@ -229,7 +230,7 @@ fn collected(group: &Polynomial, part: &Monomial, writer: &NormalWriter<'_>) -> 
 /// A coefficient of several terms as number, common denominator and sum in brackets.
 fn parted(group: &Polynomial) -> (Rational, Monomial, Polynomial) {
     let whole = || (Rational::ONE, Monomial::default(), group.clone());
-    let Ok((content, common, _)) = group.primitive() else {
+    let Ok((content, common, _)) = primitive(group) else {
         return whole();
     };
     // A number before a bracket has to leave bare names in it, or be whole: `2*x/3 + y/2` is read more easily
