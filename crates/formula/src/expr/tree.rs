@@ -18,10 +18,10 @@ use vibank_source::Span;
 /// Every node knows where it was written ([`Span::NONE`] for what was derived).
 /// Equality and hash look at the structure alone, not at the places.
 #[derive(Clone)]
-pub struct Expr(Arc<Node>);
+pub struct Expr(Arc<ExprNode>);
 
 #[derive(Debug)]
-struct Node {
+struct ExprNode {
     kind: Kind,
     span: Span,
     /// Number of nodes of the tree, counted with repetition; saturates.
@@ -131,7 +131,7 @@ impl Expr {
             depth = depth.max(child.0.depth);
             has_paths |= child.0.has_paths;
         });
-        Self(Arc::new(Node {
+        Self(Arc::new(ExprNode {
             kind,
             span,
             size,

@@ -1,11 +1,15 @@
 //! The types of operators that bind names.
 
-use super::{CheckError, Checker, Joint, disagreement, operator, scaled, times};
+use super::{CheckError, Joint, TypeChecker, disagreement, operator, scaled, times};
 use crate::expr::{Expr, Name, Shape, Type};
 use crate::unit::Dimension;
 use vibank_source::Span;
 
-pub(crate) fn at(checker: &mut Checker<'_>, inner: &Expr, values: &[(Name, Expr)]) -> Option<Type> {
+pub(crate) fn at(
+    checker: &mut TypeChecker<'_>,
+    inner: &Expr,
+    values: &[(Name, Expr)],
+) -> Option<Type> {
     let mut bound = Vec::with_capacity(values.len());
     let mut all_fit = true;
     for (name, value) in values {
@@ -24,7 +28,13 @@ pub(crate) fn at(checker: &mut Checker<'_>, inner: &Expr, values: &[(Name, Expr)
 }
 
 /// Whether a value fits the name that is bound to it.
-fn fits(checker: &mut Checker<'_>, name: &Name, given: &Type, declared: &Type, span: Span) -> bool {
+fn fits(
+    checker: &mut TypeChecker<'_>,
+    name: &Name,
+    given: &Type,
+    declared: &Type,
+    span: Span,
+) -> bool {
     if given.shape() != declared.shape() {
         let (left, right) = (declared.shape(), given.shape());
         checker.report(CheckError::Shapes {
@@ -48,7 +58,7 @@ fn fits(checker: &mut Checker<'_>, name: &Name, given: &Type, declared: &Type, s
 }
 
 /// Checks a formula in which names are bound.
-fn within(checker: &mut Checker<'_>, bound: Vec<(Name, Type)>, inner: &Expr) -> Option<Type> {
+fn within(checker: &mut TypeChecker<'_>, bound: Vec<(Name, Type)>, inner: &Expr) -> Option<Type> {
     let outside = checker.local.len();
     checker.local.extend(bound);
     let found = checker.of(inner);
@@ -57,7 +67,7 @@ fn within(checker: &mut Checker<'_>, bound: Vec<(Name, Type)>, inner: &Expr) -> 
 }
 
 pub(crate) fn derivative(
-    checker: &mut Checker<'_>,
+    checker: &mut TypeChecker<'_>,
     inner: &Expr,
     names: &[Name],
     span: Span,
@@ -83,7 +93,7 @@ pub(crate) fn derivative(
 
 /// A search over an interval: the types of the variable and of the body.
 pub(crate) fn search(
-    checker: &mut Checker<'_>,
+    checker: &mut TypeChecker<'_>,
     inner: &Expr,
     name: &Name,
     ends: [&Expr; 2],

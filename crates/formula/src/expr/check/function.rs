@@ -1,13 +1,13 @@
 //! The types of functions.
 
-use super::{CheckError, Checker, Joint, matrix, operator, scaled};
+use super::{CheckError, Joint, TypeChecker, matrix, operator, scaled};
 use crate::expr::{Expr, Field, Form, Function, Shape, Type};
 use crate::unit::Dimension;
 use vibank_dynamics::numerics::Rational;
 use vibank_source::Span;
 
 pub(crate) fn call(
-    checker: &mut Checker<'_>,
+    checker: &mut TypeChecker<'_>,
     function: Function,
     arguments: &[Expr],
     span: Span,
@@ -36,11 +36,11 @@ pub(crate) fn call(
 }
 
 /// Real numbers of one dimension, which is that of the result.
-fn alike(checker: &mut Checker<'_>, function: Function, arguments: &[&Expr]) -> Option<Type> {
+fn alike(checker: &mut TypeChecker<'_>, function: Function, arguments: &[&Expr]) -> Option<Type> {
     operator::same_reals(checker, Joint::Arguments(function.name()), arguments).map(Type::real)
 }
 
-fn square_root(checker: &mut Checker<'_>, x: &Expr, span: Span) -> Option<Type> {
+fn square_root(checker: &mut TypeChecker<'_>, x: &Expr, span: Span) -> Option<Type> {
     let found = checker.number(x)?;
     let Some(base) = found.dimension() else {
         return Some(found);
@@ -57,7 +57,7 @@ fn square_root(checker: &mut Checker<'_>, x: &Expr, span: Span) -> Option<Type> 
 }
 
 /// A function of a pure number, complex if the number is and the function can be.
-fn of_pure(checker: &mut Checker<'_>, function: Function, x: &Expr) -> Option<Type> {
+fn of_pure(checker: &mut TypeChecker<'_>, function: Function, x: &Expr) -> Option<Type> {
     let found = if function.is_real_only() {
         checker.real(x)
     } else {
@@ -74,7 +74,7 @@ fn of_pure(checker: &mut Checker<'_>, function: Function, x: &Expr) -> Option<Ty
     Some(Type::uniform(found.form(), Dimension::PURE))
 }
 
-fn norm(checker: &mut Checker<'_>, vector: &Expr) -> Option<Type> {
+fn norm(checker: &mut TypeChecker<'_>, vector: &Expr) -> Option<Type> {
     let found = vector_due(checker, "norm", vector)?;
     let squares = found
         .entries()
@@ -84,7 +84,7 @@ fn norm(checker: &mut Checker<'_>, vector: &Expr) -> Option<Type> {
     Some(Type::real(square.and_then(Dimension::sqrt)))
 }
 
-fn dot(checker: &mut Checker<'_>, u: &Expr, v: &Expr) -> Option<Type> {
+fn dot(checker: &mut TypeChecker<'_>, u: &Expr, v: &Expr) -> Option<Type> {
     let (left, right) = (vector_due(checker, "dot", u), vector_due(checker, "dot", v));
     let (left, right) = (left?, right?);
     if left.shape() != right.shape() {
@@ -114,7 +114,7 @@ fn dot(checker: &mut Checker<'_>, u: &Expr, v: &Expr) -> Option<Type> {
     ))
 }
 
-fn vector_due(checker: &mut Checker<'_>, function: &'static str, expr: &Expr) -> Option<Type> {
+fn vector_due(checker: &mut TypeChecker<'_>, function: &'static str, expr: &Expr) -> Option<Type> {
     let found = checker.numbers(expr)?;
     if let Shape::Vector(_) = found.shape() {
         return Some(found);

@@ -1,12 +1,12 @@
 //! The types of vectors and matrices, whose entries have dimensions of their own.
 
-use super::{CheckError, Checker, Joint, scaled, times};
+use super::{CheckError, Joint, TypeChecker, scaled, times};
 use crate::expr::{AnyDimension, Expr, Form, Shape, Type};
 use crate::unit::Dimension;
 use vibank_source::Span;
 
 /// `[a, b]`, or rows of a matrix.
-pub(crate) fn array(checker: &mut Checker<'_>, parts: &[Expr]) -> Option<Type> {
+pub(crate) fn array(checker: &mut TypeChecker<'_>, parts: &[Expr]) -> Option<Type> {
     let found: Vec<Option<Type>> = parts.iter().map(|part| checker.numbers(part)).collect();
     let found: Vec<Type> = found.into_iter().collect::<Option<_>>()?;
     let first = found.first()?.shape();
@@ -44,7 +44,7 @@ pub(crate) fn array(checker: &mut Checker<'_>, parts: &[Expr]) -> Option<Type> {
 
 /// `u[1]`, `M[1, 2]`, or the row `M[1]`.
 pub(crate) fn index(
-    checker: &mut Checker<'_>,
+    checker: &mut TypeChecker<'_>,
     inner: &Expr,
     indices: &[Expr],
     span: Span,
@@ -83,7 +83,7 @@ pub(crate) fn index(
 
 /// The positions of `length` entries from this row and column on.
 fn range(
-    checker: &mut Checker<'_>,
+    checker: &mut TypeChecker<'_>,
     found: &Type,
     [row, column]: [usize; 2],
     length: usize,
@@ -104,7 +104,7 @@ fn range(
     Some(first..first + length)
 }
 
-fn whole(checker: &mut Checker<'_>, index: &Expr) -> Option<usize> {
+fn whole(checker: &mut TypeChecker<'_>, index: &Expr) -> Option<usize> {
     let value = index.as_number().filter(|value| value.is_integer());
     let value = value.and_then(|value| usize::try_from(value.numerator()).ok());
     if value.is_none() {
@@ -114,7 +114,7 @@ fn whole(checker: &mut Checker<'_>, index: &Expr) -> Option<usize> {
 }
 
 /// A product in which one factor may be a number, or two conformable matrices.
-pub(crate) fn product(checker: &mut Checker<'_>, a: &Expr, b: &Expr) -> Option<Type> {
+pub(crate) fn product(checker: &mut TypeChecker<'_>, a: &Expr, b: &Expr) -> Option<Type> {
     let (left, right) = (checker.numbers(a), checker.numbers(b));
     let (left, right) = (left?, right?);
     let field = left.field().max(right.field());
@@ -148,7 +148,7 @@ pub(crate) fn product(checker: &mut Checker<'_>, a: &Expr, b: &Expr) -> Option<T
 
 /// Entry (i, j) is the sum of a_ik b_kj, whose terms have to agree.
 fn conformable(
-    checker: &mut Checker<'_>,
+    checker: &mut TypeChecker<'_>,
     left: &Type,
     right: &Type,
     form: Form,
@@ -174,7 +174,7 @@ fn conformable(
 
 /// The dimension of a sum of terms.
 pub(crate) fn sum(
-    checker: &mut Checker<'_>,
+    checker: &mut TypeChecker<'_>,
     joint: Joint,
     terms: Vec<AnyDimension>,
     span: Span,
@@ -196,7 +196,7 @@ pub(crate) fn sum(
     Some(Some(first))
 }
 
-pub(crate) fn transpose(checker: &mut Checker<'_>, matrix: &Expr) -> Option<Type> {
+pub(crate) fn transpose(checker: &mut TypeChecker<'_>, matrix: &Expr) -> Option<Type> {
     let found = checker.numbers(matrix)?;
     let (rows, columns) = found.shape().rows_and_columns();
     let entries = (0..columns).flat_map(|column| (0..rows).map(move |row| row * columns + column));
@@ -211,7 +211,7 @@ pub(crate) fn transpose(checker: &mut Checker<'_>, matrix: &Expr) -> Option<Type
 }
 
 /// The dimension of a determinant: entries have to be in dimensions of rows times dimensions of columns.
-pub(crate) fn determinant(checker: &mut Checker<'_>, matrix: &Expr) -> Option<Type> {
+pub(crate) fn determinant(checker: &mut TypeChecker<'_>, matrix: &Expr) -> Option<Type> {
     let found = checker.numbers(matrix)?;
     let Shape::Matrix(rows, columns) = found.shape() else {
         let (found, span) = (found.form(), matrix.span());

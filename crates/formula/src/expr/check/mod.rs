@@ -42,34 +42,34 @@ pub trait Scope {
 }
 
 pub(crate) fn formula(expr: &Expr, scope: &dyn Scope) -> Result<Type, Vec<CheckError>> {
-    let mut checker = Checker::new(scope);
+    let mut checker = TypeChecker::new(scope);
     let found = checker.of(expr);
     checker.finish(found)
 }
 
 pub(crate) fn equation(equation: &Equation, scope: &dyn Scope) -> Result<Type, Vec<CheckError>> {
-    let mut checker = Checker::new(scope);
+    let mut checker = TypeChecker::new(scope);
     let sides = [&equation.left, &equation.right];
     let found = operator::joined(&mut checker, Joint::Equation, "=", sides);
     checker.finish(found)
 }
 
 pub(crate) fn interval(interval: &Interval, scope: &dyn Scope) -> Result<Type, Vec<CheckError>> {
-    let mut checker = Checker::new(scope);
+    let mut checker = TypeChecker::new(scope);
     let ends = [&interval.from, &interval.to];
     let dimension = operator::same_reals(&mut checker, Joint::Interval, &ends);
     checker.finish(dimension.map(Type::real))
 }
 
 /// The state of a check. A type that is `None` has been reported.
-struct Checker<'a> {
+struct TypeChecker<'a> {
     scope: &'a dyn Scope,
     /// Names that operators bind around the place.
     local: Vec<(Name, Type)>,
     findings: Vec<CheckError>,
 }
 
-impl<'a> Checker<'a> {
+impl<'a> TypeChecker<'a> {
     fn new(scope: &'a dyn Scope) -> Self {
         Self {
             scope,

@@ -1,6 +1,6 @@
 //! The types of operators.
 
-use super::{CheckError, Checker, Joint, disagreement, matrix, scaled};
+use super::{CheckError, Joint, TypeChecker, disagreement, matrix, scaled};
 use crate::expr::{AnyDimension, Expr, Field, Form, Operator, Type, fold};
 use crate::unit::{self, Dimension};
 use vibank_dynamics::numerics::Rational;
@@ -8,7 +8,7 @@ use vibank_source::Span;
 
 /// Real numbers of one dimension.
 pub(crate) fn same_reals(
-    checker: &mut Checker<'_>,
+    checker: &mut TypeChecker<'_>,
     joint: Joint,
     operands: &[&Expr],
 ) -> Option<AnyDimension> {
@@ -42,7 +42,7 @@ pub(crate) fn same_reals(
 
 /// Two values of one shape and of one dimension entry by entry.
 pub(crate) fn joined(
-    checker: &mut Checker<'_>,
+    checker: &mut TypeChecker<'_>,
     joint: Joint,
     operator: &'static str,
     operands: [&Expr; 2],
@@ -96,7 +96,7 @@ pub(crate) fn joined(
 }
 
 pub(crate) fn arithmetic(
-    checker: &mut Checker<'_>,
+    checker: &mut TypeChecker<'_>,
     operator: Operator,
     a: &Expr,
     b: &Expr,
@@ -116,7 +116,7 @@ pub(crate) fn arithmetic(
     }
 }
 
-fn power(checker: &mut Checker<'_>, base: &Expr, exponent: &Expr, span: Span) -> Option<Type> {
+fn power(checker: &mut TypeChecker<'_>, base: &Expr, exponent: &Expr, span: Span) -> Option<Type> {
     let (found, power) = (checker.number(base), checker.number(exponent));
     let (found, power) = (found?, power?);
     if let Some(dimension) = power.dimension().filter(|dimension| !dimension.is_pure()) {

@@ -8,7 +8,7 @@ use crate::expr::Function;
 /// Real and imaginary part.
 pub(crate) type ComplexPair<S> = (S, S);
 
-type Result<T> = std::result::Result<T, Undefined>;
+type ComplexResult<S> = Result<ComplexPair<S>, Undefined>;
 
 pub(crate) fn add<S: Scalar>(a: &ComplexPair<S>, b: &ComplexPair<S>) -> ComplexPair<S> {
     (a.0.add(&b.0), a.1.add(&b.1))
@@ -26,7 +26,7 @@ pub(crate) fn multiply<S: Scalar>(a: &ComplexPair<S>, b: &ComplexPair<S>) -> Com
 }
 
 /// The quotient, by the part of the divisor that is larger, so that no square leaves the range (Smith 1962).
-pub(crate) fn divide<S: Scalar>(a: &ComplexPair<S>, b: &ComplexPair<S>) -> Result<ComplexPair<S>> {
+pub(crate) fn divide<S: Scalar>(a: &ComplexPair<S>, b: &ComplexPair<S>) -> ComplexResult<S> {
     if b.0.to_f64().abs() >= b.1.to_f64().abs() {
         let ratio = b.1.divide(&b.0)?;
         let scale = b.0.add(&b.1.multiply(&ratio));
@@ -64,7 +64,7 @@ pub(crate) fn power<S: Scalar>(
     z: &ComplexPair<S>,
     w: &ComplexPair<S>,
     doubt: &mut Doubt,
-) -> Result<ComplexPair<S>> {
+) -> ComplexResult<S> {
     if is_zero(z) {
         let sign = w.0.unary(Function::Sign, doubt)?.to_f64();
         return match sign {
@@ -82,7 +82,7 @@ pub(crate) fn power<S: Scalar>(
 }
 
 /// The power with a whole exponent, by squaring.
-pub(crate) fn power_whole<S: Scalar>(z: &ComplexPair<S>, exponent: i32) -> Result<ComplexPair<S>> {
+pub(crate) fn power_whole<S: Scalar>(z: &ComplexPair<S>, exponent: i32) -> ComplexResult<S> {
     let (mut power, mut square, mut rest) = (one(), z.clone(), exponent.unsigned_abs());
     while rest > 0 {
         if rest % 2 == 1 {
@@ -110,7 +110,7 @@ pub(crate) fn unary<S: Scalar>(
     function: Function,
     z: &ComplexPair<S>,
     doubt: &mut Doubt,
-) -> Result<ComplexPair<S>> {
+) -> ComplexResult<S> {
     match function {
         Function::Sqrt => sqrt(z, doubt),
         Function::Exp => exp(z, doubt),
@@ -149,7 +149,7 @@ pub(crate) fn unary<S: Scalar>(
 }
 
 /// √z with its cut along the negative reals, by the part that does not cancel.
-fn sqrt<S: Scalar>(z: &ComplexPair<S>, doubt: &mut Doubt) -> Result<ComplexPair<S>> {
+fn sqrt<S: Scalar>(z: &ComplexPair<S>, doubt: &mut Doubt) -> ComplexResult<S> {
     if is_zero(z) {
         let bound = (z.0.bound() + z.1.bound()).sqrt();
         return Ok((S::exact(0.0).widened(bound), S::exact(0.0).widened(bound)));
@@ -174,7 +174,7 @@ fn sqrt<S: Scalar>(z: &ComplexPair<S>, doubt: &mut Doubt) -> Result<ComplexPair<
     Ok((real, if is_below { large.negate() } else { large }))
 }
 
-fn exp<S: Scalar>(z: &ComplexPair<S>, doubt: &mut Doubt) -> Result<ComplexPair<S>> {
+fn exp<S: Scalar>(z: &ComplexPair<S>, doubt: &mut Doubt) -> ComplexResult<S> {
     let growth = z.0.unary(Function::Exp, doubt)?;
     Ok((
         growth.multiply(&z.1.unary(Function::Cos, doubt)?),
@@ -182,7 +182,7 @@ fn exp<S: Scalar>(z: &ComplexPair<S>, doubt: &mut Doubt) -> Result<ComplexPair<S
     ))
 }
 
-fn ln<S: Scalar>(z: &ComplexPair<S>, doubt: &mut Doubt) -> Result<ComplexPair<S>> {
+fn ln<S: Scalar>(z: &ComplexPair<S>, doubt: &mut Doubt) -> ComplexResult<S> {
     if is_zero(z) {
         return Err(Undefined::LogarithmOfZero);
     }
@@ -194,7 +194,7 @@ fn ln<S: Scalar>(z: &ComplexPair<S>, doubt: &mut Doubt) -> Result<ComplexPair<S>
 }
 
 /// sin(x + iy) = sin x cosh y + i cos x sinh y.
-fn sin<S: Scalar>(z: &ComplexPair<S>, doubt: &mut Doubt) -> Result<ComplexPair<S>> {
+fn sin<S: Scalar>(z: &ComplexPair<S>, doubt: &mut Doubt) -> ComplexResult<S> {
     let (sine, cosine) = (
         z.0.unary(Function::Sin, doubt)?,
         z.0.unary(Function::Cos, doubt)?,
@@ -206,7 +206,7 @@ fn sin<S: Scalar>(z: &ComplexPair<S>, doubt: &mut Doubt) -> Result<ComplexPair<S
 }
 
 /// cos(x + iy) = cos x cosh y - i sin x sinh y.
-fn cos<S: Scalar>(z: &ComplexPair<S>, doubt: &mut Doubt) -> Result<ComplexPair<S>> {
+fn cos<S: Scalar>(z: &ComplexPair<S>, doubt: &mut Doubt) -> ComplexResult<S> {
     let (sine, cosine) = (
         z.0.unary(Function::Sin, doubt)?,
         z.0.unary(Function::Cos, doubt)?,
@@ -218,7 +218,7 @@ fn cos<S: Scalar>(z: &ComplexPair<S>, doubt: &mut Doubt) -> Result<ComplexPair<S
 }
 
 /// ln(z + √(z² + 1)).
-fn asinh<S: Scalar>(z: &ComplexPair<S>, doubt: &mut Doubt) -> Result<ComplexPair<S>> {
+fn asinh<S: Scalar>(z: &ComplexPair<S>, doubt: &mut Doubt) -> ComplexResult<S> {
     // The function is odd; on the right half-plane the sum does not cancel.
     if z.0.to_f64() < 0.0 {
         return Ok(negate(&asinh(&negate(z), doubt)?));
@@ -228,7 +228,7 @@ fn asinh<S: Scalar>(z: &ComplexPair<S>, doubt: &mut Doubt) -> Result<ComplexPair
 }
 
 /// (ln(1 + z) - ln(1 - z))/2.
-fn atanh<S: Scalar>(z: &ComplexPair<S>, doubt: &mut Doubt) -> Result<ComplexPair<S>> {
+fn atanh<S: Scalar>(z: &ComplexPair<S>, doubt: &mut Doubt) -> ComplexResult<S> {
     let above = ln(&add(&one(), z), doubt)?;
     let below = ln(&subtract(&one(), z), doubt)?;
     Ok(halved(&subtract(&above, &below)))

@@ -5,6 +5,7 @@ use std::rc::Rc;
 use super::CompileError;
 use super::assembler::Assembler;
 use super::entry::EntryRegister;
+use super::error::Result;
 use crate::expr::{Field, Form, Function, Operator, Shape};
 
 /// Largest order of a determinant: its minors are computed once each, 2ⁿ of them.
@@ -17,8 +18,6 @@ pub(crate) struct Array {
     pub(crate) entries: Rc<[EntryRegister]>,
     pub(crate) is_boolean: bool,
 }
-
-type Result<T> = std::result::Result<T, CompileError>;
 
 impl Array {
     pub(crate) fn new(shape: Shape, entries: Vec<EntryRegister>) -> Self {

@@ -5,6 +5,7 @@ use std::collections::HashMap;
 use super::array::Array;
 use super::assembler::Assembler;
 use super::derive;
+use super::error::Result;
 use super::hash::NumberTable;
 use super::instruction::{ProgramStep, SearchBody};
 use super::{Binder, Binding, CompileError, EntryRegister, Program};
@@ -21,14 +22,12 @@ const MAX_DEPTH: u32 = 400;
 /// Most steps for which there is room from the start.
 const MAX_ROOM: u32 = 64;
 
-type Result<T> = std::result::Result<T, CompileError>;
-
 /// The state of a translation.
 pub(crate) struct Compiler<'a> {
     pub(crate) binder: &'a dyn Binder,
     assembler: Assembler,
     /// The names bound by the operators around the place, with their values, innermost last.
-    locals: Vec<Local>,
+    locals: Vec<BoundName>,
     /// The names alone, as binders are told them.
     pub(crate) local_names: Vec<Name>,
     /// What nodes to which several ways lead have become, by node and innermost local.
@@ -45,7 +44,7 @@ pub(crate) struct Compiler<'a> {
     pub(crate) aliases: HashMap<Name, Binding>,
 }
 
-struct Local {
+struct BoundName {
     name: Name,
     value: Array,
     scope: usize,
@@ -490,7 +489,7 @@ impl Compiler<'_> {
         self.scopes += 1;
         for (name, value) in values {
             self.local_names.push(name.clone());
-            self.locals.push(Local {
+            self.locals.push(BoundName {
                 name,
                 value,
                 scope: self.scopes,

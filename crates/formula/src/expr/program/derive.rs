@@ -3,12 +3,11 @@
 use std::collections::BTreeSet;
 
 use super::compile::Compiler;
+use super::error::Result;
 use super::{Binding, CompileError};
 use crate::expr::{
     Expr, Kind, Name, Path, SymbolicError, Variable, differentiate, time_derivative,
 };
-
-type Result<T> = std::result::Result<T, CompileError>;
 
 /// Most nodes of a formula with its names substituted.
 const MAX_NODES: u32 = 50_000;

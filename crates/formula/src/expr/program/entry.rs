@@ -1,7 +1,7 @@
 //! Arithmetic on single entries, real or complex.
 
-use super::CompileError;
 use super::assembler::Assembler;
+use super::error::Result;
 use super::instruction::{ProgramStep, Register};
 use crate::expr::Function;
 
@@ -11,8 +11,6 @@ pub(crate) struct EntryRegister {
     pub(crate) real: Register,
     pub(crate) imaginary: Option<Register>,
 }
-
-type Result<T> = std::result::Result<T, CompileError>;
 
 impl EntryRegister {
     pub(crate) fn real(real: Register) -> Self {

@@ -6,6 +6,9 @@ use crate::expr::{Form, Name, Path, SymbolicError};
 use vibank_source::Span;
 use vibank_source::diagnostic::{Code, Diagnose, Label};
 
+/// What translation gives.
+pub(crate) type Result<T> = std::result::Result<T, CompileError>;
+
 /// Why a formula cannot become a program. A formula that was checked fails only for its size or a missing derivative.
 #[derive(Clone, Debug, PartialEq, Error)]
 #[non_exhaustive]

@@ -7,7 +7,7 @@ use super::{Inputs, Program};
 use crate::expr::{Doubt, Scalar, Undefined};
 
 /// What steps have computed at all places.
-pub(crate) struct Lanes<'a, S> {
+pub(crate) struct ProgramLanes<'a, S> {
     /// What is the same at all places.
     registers: &'a [S],
     /// By register, its column; none where it is the same at all places.
@@ -31,7 +31,7 @@ impl<'a, S> Operand<'a, S> {
     }
 }
 
-impl<'a, S: Scalar> Lanes<'a, S> {
+impl<'a, S: Scalar> ProgramLanes<'a, S> {
     /// Takes these steps with each of these inputs; `None` where one has no value, or computes what is not a real number.
     pub(crate) fn run(
         program: &Program,

@@ -201,13 +201,17 @@ impl<'a, S: Scalar> Machine<'a, S> {
     }
 
     /// The body of a search, with its interval.
-    fn body<'b>(&'b mut self, search: SearchBody, at: usize) -> Result<Body<'b, 'a, S>, Stop> {
+    fn body<'b>(
+        &'b mut self,
+        search: SearchBody,
+        at: usize,
+    ) -> Result<SearchedBody<'b, 'a, S>, Stop> {
         let [low, high] = search.ends;
         let ends = [self.get(low).clone(), self.get(high).clone()];
         if ends.iter().any(|end| !end.to_f64().is_finite()) {
             return Err(Stop::Here(Undefined::Overflow));
         }
-        Ok(Body {
+        Ok(SearchedBody {
             machine: self,
             search,
             start: at as u32 + 1,
@@ -217,14 +221,14 @@ impl<'a, S: Scalar> Machine<'a, S> {
 }
 
 /// The body of a search as a function of the bound name.
-struct Body<'b, 'a, S> {
+struct SearchedBody<'b, 'a, S> {
     machine: &'b mut Machine<'a, S>,
     search: SearchBody,
     start: u32,
     ends: [S; 2],
 }
 
-impl<S: Scalar> search::SearchedFunction<S> for Body<'_, '_, S> {
+impl<S: Scalar> search::SearchedFunction<S> for SearchedBody<'_, '_, S> {
     fn ends(&self) -> [S; 2] {
         self.ends.clone()
     }

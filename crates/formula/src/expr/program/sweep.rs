@@ -5,7 +5,7 @@
 //! Either way each step gets the numbers that it gets in a whole run, so that results are the same to the last bit.
 
 use super::instruction::{Instruction, ProgramStep};
-use super::lanes::Lanes;
+use super::lanes::ProgramLanes;
 use super::machine::{Machine, weight};
 use super::{Absence, Inputs, Outcome, Program, Registers};
 use crate::expr::{Approx, Doubt, Scalar};
@@ -127,7 +127,7 @@ impl<S> Default for Lap<S> {
 
 impl<S: Scalar> Lap<S> {
     /// The runs with each of these inputs, if all of them take the steps that are known.
-    fn lanes(&self, program: &Program, inputs: &[impl Inputs<S>]) -> Option<Lanes<'_, S>> {
+    fn lanes(&self, program: &Program, inputs: &[impl Inputs<S>]) -> Option<ProgramLanes<'_, S>> {
         let Some(SweptSteps::Fixed {
             steps,
             taken,
@@ -137,7 +137,7 @@ impl<S: Scalar> Lap<S> {
             return None;
         };
         let doubt = Doubt { is_open: *is_open };
-        let lanes = Lanes::run(program, steps, self.registers.all(), inputs, doubt)?;
+        let lanes = ProgramLanes::run(program, steps, self.registers.all(), inputs, doubt)?;
         let _ = work::spend(taken * inputs.len() as u64 * weight::<S>());
         Some(lanes)
     }

@@ -18,13 +18,13 @@ use vibank_dynamics::numerics::Complex;
 #[derive(Clone, Debug, PartialEq)]
 pub struct Value {
     form: Form,
-    numbers: Numbers,
+    numbers: OneOrSeveral,
 }
 
 /// The entries by rows; of complex entries real and imaginary part.
 // Most values are one number, of which thousands are computed for a sheet: they take no allocation.
 #[derive(Clone, Debug, PartialEq)]
-enum Numbers {
+enum OneOrSeveral {
     One { number: f64, bound: f64 },
     Several { numbers: Vec<f64>, bounds: Vec<f64> },
 }
@@ -34,15 +34,15 @@ impl Value {
     pub fn new(form: Form, numbers: Vec<f64>, bounds: Vec<f64>) -> Option<Self> {
         let fits = numbers.len() == form.width() && bounds.len() == numbers.len();
         let numbers = match (&numbers[..], &bounds[..]) {
-            (&[number], &[bound]) => Numbers::One { number, bound },
-            _ => Numbers::Several { numbers, bounds },
+            (&[number], &[bound]) => OneOrSeveral::One { number, bound },
+            _ => OneOrSeveral::Several { numbers, bounds },
         };
         fits.then_some(Self { form, numbers })
     }
 
     /// The one number that a value of this form is, with a bound on its error; `None` for forms of several.
     pub(crate) fn of_one(form: Form, number: f64, bound: f64) -> Option<Self> {
-        let numbers = Numbers::One { number, bound };
+        let numbers = OneOrSeveral::One { number, bound };
         (form.width() == 1).then_some(Self { form, numbers })
     }
 
@@ -50,7 +50,7 @@ impl Value {
     pub fn real(number: f64, bound: f64) -> Self {
         Self {
             form: Form::REAL,
-            numbers: Numbers::One { number, bound },
+            numbers: OneOrSeveral::One { number, bound },
         }
     }
 
@@ -59,8 +59,10 @@ impl Value {
     pub fn scaled(&self, factor: f64) -> Self {
         let mut scaled = self.clone();
         match &mut scaled.numbers {
-            Numbers::One { number, .. } => *number *= factor,
-            Numbers::Several { numbers, .. } => numbers.iter_mut().for_each(|own| *own *= factor),
+            OneOrSeveral::One { number, .. } => *number *= factor,
+            OneOrSeveral::Several { numbers, .. } => {
+                numbers.iter_mut().for_each(|own| *own *= factor)
+            }
         }
         scaled
     }
@@ -125,16 +127,16 @@ impl Value {
     /// All numbers by rows; of complex entries real and imaginary part.
     pub fn numbers(&self) -> &[f64] {
         match &self.numbers {
-            Numbers::One { number, .. } => std::slice::from_ref(number),
-            Numbers::Several { numbers, .. } => numbers,
+            OneOrSeveral::One { number, .. } => std::slice::from_ref(number),
+            OneOrSeveral::Several { numbers, .. } => numbers,
         }
     }
 
     /// Bounds on the errors of the numbers.
     pub fn bounds(&self) -> &[f64] {
         match &self.numbers {
-            Numbers::One { bound, .. } => std::slice::from_ref(bound),
-            Numbers::Several { bounds, .. } => bounds,
+            OneOrSeveral::One { bound, .. } => std::slice::from_ref(bound),
+            OneOrSeveral::Several { bounds, .. } => bounds,
         }
     }
 }
