@@ -11,7 +11,7 @@ use serde::de::{
 
 /// A JSON value, texts borrowed where they hold no escapes.
 #[derive(Debug)]
-pub(crate) enum Value<'a> {
+pub(crate) enum GivenValue<'a> {
     /// `null`, which is as good as absent.
     Null,
     /// A number that binary64 holds as it is written, or next to it.
@@ -23,7 +23,7 @@ pub(crate) enum Value<'a> {
     /// A list of lists of numbers alone, all of the same length, one after the other.
     Table { entries: Vec<f64>, width: usize },
     /// A list of anything else.
-    List(Vec<Value<'a>>),
+    List(Vec<GivenValue<'a>>),
     /// An object; of equal keys the last counts.
     Object(Object<'a>),
     /// `true` or `false`.
@@ -33,11 +33,11 @@ pub(crate) enum Value<'a> {
 /// The members of an object as they came.
 #[derive(Debug, Default)]
 pub(crate) struct Object<'a> {
-    members: Vec<(Cow<'a, str>, Value<'a>)>,
+    members: Vec<(Cow<'a, str>, GivenValue<'a>)>,
 }
 
 impl<'a> Object<'a> {
-    pub(crate) fn get(&self, name: &str) -> Option<&Value<'a>> {
+    pub(crate) fn get(&self, name: &str) -> Option<&GivenValue<'a>> {
         let mut members = self.members.iter().rev();
         members.find(|(key, _)| key == name).map(|(_, value)| value)
     }
@@ -61,42 +61,42 @@ pub(crate) enum RequestLine<'a> {
 struct OfValue;
 
 impl<'a> Visitor<'a> for OfValue {
-    type Value = Value<'a>;
+    type Value = GivenValue<'a>;
 
     fn expecting(&self, text: &mut fmt::Formatter) -> fmt::Result {
         text.write_str("any JSON")
     }
 
-    fn visit_unit<E>(self) -> Result<Value<'a>, E> {
-        Ok(Value::Null)
+    fn visit_unit<E>(self) -> Result<GivenValue<'a>, E> {
+        Ok(GivenValue::Null)
     }
 
-    fn visit_bool<E>(self, _: bool) -> Result<Value<'a>, E> {
-        Ok(Value::Truth)
+    fn visit_bool<E>(self, _: bool) -> Result<GivenValue<'a>, E> {
+        Ok(GivenValue::Truth)
     }
 
-    fn visit_f64<E>(self, number: f64) -> Result<Value<'a>, E> {
-        Ok(Value::Number(number))
+    fn visit_f64<E>(self, number: f64) -> Result<GivenValue<'a>, E> {
+        Ok(GivenValue::Number(number))
     }
 
-    fn visit_u64<E>(self, number: u64) -> Result<Value<'a>, E> {
+    fn visit_u64<E>(self, number: u64) -> Result<GivenValue<'a>, E> {
         Ok(integer(number, number <= MAX_EXACT))
     }
 
-    fn visit_i64<E>(self, number: i64) -> Result<Value<'a>, E> {
+    fn visit_i64<E>(self, number: i64) -> Result<GivenValue<'a>, E> {
         Ok(integer(number, number.unsigned_abs() <= MAX_EXACT))
     }
 
-    fn visit_borrowed_str<E>(self, text: &'a str) -> Result<Value<'a>, E> {
-        Ok(Value::Text(text.into()))
+    fn visit_borrowed_str<E>(self, text: &'a str) -> Result<GivenValue<'a>, E> {
+        Ok(GivenValue::Text(text.into()))
     }
 
-    fn visit_str<E>(self, text: &str) -> Result<Value<'a>, E> {
-        Ok(Value::Text(text.to_owned().into()))
+    fn visit_str<E>(self, text: &str) -> Result<GivenValue<'a>, E> {
+        Ok(GivenValue::Text(text.to_owned().into()))
     }
 
-    fn visit_seq<A: SeqAccess<'a>>(self, mut entries: A) -> Result<Value<'a>, A::Error> {
-        let mut list = Entries::default();
+    fn visit_seq<A: SeqAccess<'a>>(self, mut entries: A) -> Result<GivenValue<'a>, A::Error> {
+        let mut list = GivenEntries::default();
         while let Some(other) = entries.next_element_seed(&mut list)? {
             if let Some(other) = other {
                 list.split().push(other);
@@ -105,19 +105,19 @@ impl<'a> Visitor<'a> for OfValue {
         Ok(list.into_value())
     }
 
-    fn visit_map<A: MapAccess<'a>>(self, mut entries: A) -> Result<Value<'a>, A::Error> {
+    fn visit_map<A: MapAccess<'a>>(self, mut entries: A) -> Result<GivenValue<'a>, A::Error> {
         let mut members = Vec::new();
-        while let Some((Key(key), value)) = entries.next_entry()? {
+        while let Some((ObjectKey(key), value)) = entries.next_entry()? {
             members.push((key, value));
         }
-        Ok(Value::Object(Object { members }))
+        Ok(GivenValue::Object(Object { members }))
     }
 }
 
 /// Integers up to this are binary64 numbers.
 const MAX_EXACT: u64 = 1 << f64::MANTISSA_DIGITS;
 
-impl<'a> Deserialize<'a> for Value<'a> {
+impl<'a> Deserialize<'a> for GivenValue<'a> {
     fn deserialize<D: Deserializer<'a>>(deserializer: D) -> Result<Self, D::Error> {
         deserializer.deserialize_any(OfValue)
     }
@@ -125,51 +125,51 @@ impl<'a> Deserialize<'a> for Value<'a> {
 
 /// A list while it is read: numbers, or rows of equal length, go to one vector as long as nothing else has come.
 #[derive(Default)]
-struct Entries<'a> {
+struct GivenEntries<'a> {
     numbers: Vec<f64>,
     /// Length of the rows; none while there are plain numbers.
     width: Option<usize>,
     /// All entries, once they are neither.
-    list: Option<Vec<Value<'a>>>,
+    list: Option<Vec<GivenValue<'a>>>,
 }
 
-impl<'a> Entries<'a> {
+impl<'a> GivenEntries<'a> {
     /// The entries one by one.
-    fn split(&mut self) -> &mut Vec<Value<'a>> {
+    fn split(&mut self) -> &mut Vec<GivenValue<'a>> {
         let numbers = std::mem::take(&mut self.numbers);
         let width = self.width.take();
         self.list.get_or_insert_with(|| match width {
             Some(width) => {
                 let rows = numbers.chunks_exact(width);
-                rows.map(|row| Value::Numbers(row.to_vec())).collect()
+                rows.map(|row| GivenValue::Numbers(row.to_vec())).collect()
             }
-            None => numbers.into_iter().map(Value::Number).collect(),
+            None => numbers.into_iter().map(GivenValue::Number).collect(),
         })
     }
 
-    fn into_value(self) -> Value<'a> {
+    fn into_value(self) -> GivenValue<'a> {
         match (self.list, self.width) {
-            (Some(list), _) => Value::List(list),
-            (None, Some(width)) => Value::Table {
+            (Some(list), _) => GivenValue::List(list),
+            (None, Some(width)) => GivenValue::Table {
                 entries: self.numbers,
                 width,
             },
-            (None, None) => Value::Numbers(self.numbers),
+            (None, None) => GivenValue::Numbers(self.numbers),
         }
     }
 }
 
 /// Takes in one entry; gives back what is neither a number nor a row that fits.
-impl<'a> DeserializeSeed<'a> for &mut Entries<'a> {
-    type Value = Option<Value<'a>>;
+impl<'a> DeserializeSeed<'a> for &mut GivenEntries<'a> {
+    type Value = Option<GivenValue<'a>>;
 
     fn deserialize<D: Deserializer<'a>>(self, deserializer: D) -> Result<Self::Value, D::Error> {
         deserializer.deserialize_any(self)
     }
 }
 
-impl<'a> Visitor<'a> for &mut Entries<'a> {
-    type Value = Option<Value<'a>>;
+impl<'a> Visitor<'a> for &mut GivenEntries<'a> {
+    type Value = Option<GivenValue<'a>>;
 
     fn expecting(&self, text: &mut fmt::Formatter) -> fmt::Result {
         OfValue.expecting(text)
@@ -177,7 +177,7 @@ impl<'a> Visitor<'a> for &mut Entries<'a> {
 
     fn visit_f64<E: Error>(self, number: f64) -> Result<Self::Value, E> {
         if self.list.is_some() || self.width.is_some() {
-            return Ok(Some(Value::Number(number)));
+            return Ok(Some(GivenValue::Number(number)));
         }
         self.numbers.push(number);
         Ok(None)
@@ -185,14 +185,14 @@ impl<'a> Visitor<'a> for &mut Entries<'a> {
 
     fn visit_u64<E: Error>(self, number: u64) -> Result<Self::Value, E> {
         match integer(number, number <= MAX_EXACT) {
-            Value::Number(number) => self.visit_f64(number),
+            GivenValue::Number(number) => self.visit_f64(number),
             other => Ok(Some(other)),
         }
     }
 
     fn visit_i64<E: Error>(self, number: i64) -> Result<Self::Value, E> {
         match integer(number, number.unsigned_abs() <= MAX_EXACT) {
-            Value::Number(number) => self.visit_f64(number),
+            GivenValue::Number(number) => self.visit_f64(number),
             other => Ok(Some(other)),
         }
     }
@@ -224,9 +224,9 @@ impl<'a> Visitor<'a> for &mut Entries<'a> {
         }
         // The row goes to the end of the table; where it does not fit it is taken out again.
         let start = self.numbers.len();
-        let mut row = Entries {
+        let mut row = GivenEntries {
             numbers: std::mem::take(&mut self.numbers),
-            ..Entries::default()
+            ..GivenEntries::default()
         };
         let mut other = None;
         while other.is_none() {
@@ -254,33 +254,33 @@ impl<'a> Visitor<'a> for &mut Entries<'a> {
 }
 
 /// An integer, as a number if binary64 holds it.
-fn integer<'a>(number: impl ToString + Into<i128>, is_short: bool) -> Value<'a> {
+fn integer<'a>(number: impl ToString + Into<i128>, is_short: bool) -> GivenValue<'a> {
     if is_short {
-        Value::Number(number.into() as f64)
+        GivenValue::Number(number.into() as f64)
     } else {
-        Value::Text(number.to_string().into())
+        GivenValue::Text(number.to_string().into())
     }
 }
 
-struct Key<'a>(Cow<'a, str>);
+struct ObjectKey<'a>(Cow<'a, str>);
 
-impl<'a> Deserialize<'a> for Key<'a> {
+impl<'a> Deserialize<'a> for ObjectKey<'a> {
     fn deserialize<D: Deserializer<'a>>(deserializer: D) -> Result<Self, D::Error> {
         struct OfKey;
 
         impl<'a> Visitor<'a> for OfKey {
-            type Value = Key<'a>;
+            type Value = ObjectKey<'a>;
 
             fn expecting(&self, text: &mut fmt::Formatter) -> fmt::Result {
                 text.write_str("a key")
             }
 
-            fn visit_borrowed_str<E>(self, text: &'a str) -> Result<Key<'a>, E> {
-                Ok(Key(text.into()))
+            fn visit_borrowed_str<E>(self, text: &'a str) -> Result<ObjectKey<'a>, E> {
+                Ok(ObjectKey(text.into()))
             }
 
-            fn visit_str<E>(self, text: &str) -> Result<Key<'a>, E> {
-                Ok(Key(text.to_owned().into()))
+            fn visit_str<E>(self, text: &str) -> Result<ObjectKey<'a>, E> {
+                Ok(ObjectKey(text.to_owned().into()))
             }
         }
 
@@ -329,7 +329,7 @@ impl<'a> Visitor<'a> for OfLine {
     fn visit_map<A: MapAccess<'a>>(self, mut entries: A) -> Result<RequestLine<'a>, A::Error> {
         let mut id = serde_json::Value::Null;
         let mut members = Vec::new();
-        while let Some(Key(key)) = entries.next_key()? {
+        while let Some(ObjectKey(key)) = entries.next_key()? {
             if key == "id" {
                 id = entries.next_value()?;
             } else {
@@ -351,24 +351,26 @@ impl<'a> Deserialize<'a> for RequestLine<'a> {
 mod tests {
     use super::*;
 
-    fn value(text: &str) -> Value<'_> {
+    fn value(text: &str) -> GivenValue<'_> {
         serde_json::from_str(text).unwrap()
     }
 
     #[test]
     fn lists_of_numbers_are_lists_of_numbers() {
-        assert!(matches!(value("[1,2.5,-3]"), Value::Numbers(list) if list == [1.0, 2.5, -3.0]));
-        let Value::List(list) = value(r#"[1,"2",[3]]"#) else {
+        assert!(
+            matches!(value("[1,2.5,-3]"), GivenValue::Numbers(list) if list == [1.0, 2.5, -3.0])
+        );
+        let GivenValue::List(list) = value(r#"[1,"2",[3]]"#) else {
             panic!("a mixed list");
         };
-        assert!(matches!(list[0], Value::Number(1.0)));
-        assert!(matches!(&list[1], Value::Text(text) if text == "2"));
-        assert!(matches!(&list[2], Value::Numbers(list) if *list == [3.0]));
+        assert!(matches!(list[0], GivenValue::Number(1.0)));
+        assert!(matches!(&list[1], GivenValue::Text(text) if text == "2"));
+        assert!(matches!(&list[2], GivenValue::Numbers(list) if *list == [3.0]));
     }
 
     #[test]
     fn rows_of_equal_length_are_a_table() {
-        let Value::Table { entries, width } = value("[[1,2],[3,4],[5,6]]") else {
+        let GivenValue::Table { entries, width } = value("[[1,2],[3,4],[5,6]]") else {
             panic!("a table");
         };
         assert_eq!(
@@ -399,16 +401,16 @@ mod tests {
 
     #[test]
     fn integers_beyond_binary64_keep_their_digits() {
-        assert!(matches!(value("9007199254740992"), Value::Number(_)));
+        assert!(matches!(value("9007199254740992"), GivenValue::Number(_)));
         let text = "9007199254740993";
-        assert!(matches!(value(text), Value::Text(digits) if digits == text));
+        assert!(matches!(value(text), GivenValue::Text(digits) if digits == text));
     }
 
     #[test]
     fn the_last_of_equal_keys_counts() {
-        let Value::Object(object) = value(r#"{"a":1,"\u0061":2}"#) else {
+        let GivenValue::Object(object) = value(r#"{"a":1,"\u0061":2}"#) else {
             panic!("an object");
         };
-        assert!(matches!(object.get("a"), Some(Value::Number(2.0))));
+        assert!(matches!(object.get("a"), Some(GivenValue::Number(2.0))));
     }
 }

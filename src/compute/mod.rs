@@ -34,7 +34,7 @@ pub use error::RequestError;
 
 use serde::Deserialize;
 
-use given::{Object, RequestLine, Value};
+use given::{GivenValue, Object, RequestLine};
 use parameters::Parameters;
 use reply::ResultReply;
 
@@ -133,7 +133,7 @@ fn id_of(line: &str) -> serde_json::Value {
 
 fn solve(request: &Object) -> Result<Vec<u8>, RequestError> {
     parameters::refuse_unknown(request, &["id", "task", "params"])?;
-    let Some(Value::Text(name)) = request.get("task") else {
+    let Some(GivenValue::Text(name)) = request.get("task") else {
         return Err(RequestError::NoTask);
     };
     let task = TASKS.iter().find(|task| task.name() == name);
@@ -141,7 +141,7 @@ fn solve(request: &Object) -> Result<Vec<u8>, RequestError> {
         name: error::excerpt(name),
     })?;
     let parameters = match request.get("params") {
-        Some(Value::Object(parameters)) => Parameters::of(parameters, task.keys())?,
+        Some(GivenValue::Object(parameters)) => Parameters::of(parameters, task.keys())?,
         _ => return Err(RequestError::NoParameters),
     };
     task.solve(&parameters)?.finish()

@@ -3,7 +3,7 @@
 use std::borrow::Cow;
 
 use super::error::{RequestError, excerpt};
-use super::given::{Object, Value};
+use super::given::{GivenValue, Object};
 use crate::numerics::ExactNumber;
 use crate::vibration::Oscillator;
 use crate::vibration::State;
@@ -46,7 +46,7 @@ impl<'a> Parameters<'a> {
     /// Whether a parameter was given; `null` is as good as absent.
     pub(crate) fn has(&self, name: &str) -> bool {
         let value = self.values.get(name);
-        value.is_some_and(|value| !matches!(value, Value::Null))
+        value.is_some_and(|value| !matches!(value, GivenValue::Null))
     }
 
     /// A number that has to be given.
@@ -105,7 +105,7 @@ impl<'a> Parameters<'a> {
     /// A number or a list of numbers.
     pub(crate) fn times(&self, name: &'static str) -> Result<Times, RequestError> {
         match self.value(name)? {
-            Value::List(_) | Value::Numbers(_) | Value::Table { .. } => {
+            GivenValue::List(_) | GivenValue::Numbers(_) | GivenValue::Table { .. } => {
                 self.list(name).map(Times::Many)
             }
             _ => self.number(name).map(Times::One),
@@ -133,9 +133,9 @@ impl<'a> Parameters<'a> {
         let value = self.value(name)?;
         check_length(name, value)?;
         match value {
-            Value::List(entries) => Ok(entries.iter().map(numbers).collect()),
-            Value::Numbers(entries) => Ok(vec![None; entries.len()]),
-            Value::Table { entries, width } => {
+            GivenValue::List(entries) => Ok(entries.iter().map(numbers).collect()),
+            GivenValue::Numbers(entries) => Ok(vec![None; entries.len()]),
+            GivenValue::Table { entries, width } => {
                 let rows = entries.chunks_exact(*width);
                 Ok(rows.map(|row| Some(Cow::Borrowed(row))).collect())
             }
@@ -157,7 +157,7 @@ impl<'a> Parameters<'a> {
         })
     }
 
-    fn value(&self, name: &'static str) -> Result<&'a Value<'a>, RequestError> {
+    fn value(&self, name: &'static str) -> Result<&'a GivenValue<'a>, RequestError> {
         self.values
             .get(name)
             .ok_or(RequestError::MissingParameter { name })
@@ -165,11 +165,11 @@ impl<'a> Parameters<'a> {
 }
 
 /// Refuses a list that is too long.
-fn check_length(name: &'static str, value: &Value) -> Result<(), RequestError> {
+fn check_length(name: &'static str, value: &GivenValue) -> Result<(), RequestError> {
     let count = match value {
-        Value::List(entries) => entries.len(),
-        Value::Numbers(entries) => entries.len(),
-        Value::Table { entries, width } => entries.len() / width,
+        GivenValue::List(entries) => entries.len(),
+        GivenValue::Numbers(entries) => entries.len(),
+        GivenValue::Table { entries, width } => entries.len() / width,
         _ => 0,
     };
     if count > MAX_LIST_LENGTH {
@@ -185,28 +185,30 @@ fn check_length(name: &'static str, value: &Value) -> Result<(), RequestError> {
 const A_NUMBER: &str = "a finite number, or a decimal in a string";
 
 /// A finite number, or a decimal in a string.
-fn number(value: &Value) -> Option<f64> {
+fn number(value: &GivenValue) -> Option<f64> {
     match value {
-        Value::Number(number) => Some(*number),
-        Value::Text(text) => nearest(text),
+        GivenValue::Number(number) => Some(*number),
+        GivenValue::Text(text) => nearest(text),
         _ => None,
     }
 }
 
 /// The same as it was written: a number has the shortest decimal.
-fn exact(value: &Value) -> Option<ExactNumber> {
+fn exact(value: &GivenValue) -> Option<ExactNumber> {
     match value {
-        Value::Number(number) => exact_decimal(&serde_json::Number::from_f64(*number)?.to_string()),
-        Value::Text(text) => exact_decimal(text),
+        GivenValue::Number(number) => {
+            exact_decimal(&serde_json::Number::from_f64(*number)?.to_string())
+        }
+        GivenValue::Text(text) => exact_decimal(text),
         _ => None,
     }
 }
 
 /// A list of numbers.
-fn numbers<'a>(value: &'a Value) -> Option<Cow<'a, [f64]>> {
+fn numbers<'a>(value: &'a GivenValue) -> Option<Cow<'a, [f64]>> {
     match value {
-        Value::Numbers(numbers) => Some(Cow::Borrowed(numbers)),
-        Value::List(entries) => entries
+        GivenValue::Numbers(numbers) => Some(Cow::Borrowed(numbers)),
+        GivenValue::List(entries) => entries
             .iter()
             .map(number)
             .collect::<Option<_>>()
@@ -270,9 +272,9 @@ mod tests {
 
     #[test]
     fn numbers_of_seventeen_digits_are_the_nearest() {
-        let value: Value = serde_json::from_str("0.10000000000000001").unwrap();
+        let value: GivenValue = serde_json::from_str("0.10000000000000001").unwrap();
         assert_eq!(number(&value), Some(0.1));
-        let value: Value =
+        let value: GivenValue =
             serde_json::from_str("7.0420557077594588669468784357561207962098443483187940792729e28")
                 .unwrap();
         assert_eq!(number(&value), Some(7.042_055_707_759_459e28));

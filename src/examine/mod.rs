@@ -17,7 +17,7 @@ use serde::Serialize;
 
 use self::fault::QuestionFault;
 pub use self::part::PartExamined;
-use self::part::Tally;
+use self::part::QuestionTally;
 use crate::answer::AnswerKind;
 use crate::bank::{Rule, Template};
 use crate::diagnostic::Finding;
@@ -99,7 +99,7 @@ impl Examination {
 /// The draws of an item so far.
 struct ItemDraws<'t> {
     template: &'t Template,
-    tallies: Vec<Tally>,
+    tallies: Vec<QuestionTally>,
     draws: u64,
     fit: u64,
     redraws: u64,
@@ -129,7 +129,7 @@ impl<'t> ItemDraws<'t> {
         Self {
             template,
             tallies: parts
-                .map(|(place, part)| Tally::of(place, part.mistakes.len()))
+                .map(|(place, part)| QuestionTally::of(place, part.mistakes.len()))
                 .collect(),
             draws: 0,
             fit: 0,

@@ -38,7 +38,7 @@ pub struct PartExamined {
 
 /// What is tallied of a part.
 #[derive(Default)]
-pub(crate) struct Tally {
+pub(crate) struct QuestionTally {
     place: usize,
     draws: u64,
     mistakes: Vec<MistakeTally>,
@@ -68,7 +68,7 @@ struct MistakeTally {
 /// What is done wrongly with a result, whatever its formula.
 const RESULTS: [(&str, f64); 2] = [("the result doubled", 2.0), ("the result halved", 0.5)];
 
-impl Tally {
+impl QuestionTally {
     pub(crate) fn of(place: usize, mistakes: usize) -> Self {
         Self {
             place,

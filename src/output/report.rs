@@ -7,7 +7,7 @@ use super::marks::{Marked, MarksView};
 use super::pages::{Pages, Run};
 use super::quoted;
 use super::words::{ReportWords, filled};
-use crate::report::{Common, Distribution, Mistake, PartSummary, Summary};
+use crate::report::{Common, CommonMistake, Distribution, PartSummary, Summary};
 
 /// A report with what has to be looked at first.
 #[derive(Clone, Copy, Debug)]
@@ -376,7 +376,7 @@ fn part<'a>(pages: &'a Pages, part: &'a PartSummary) -> ReportPartView<'a> {
 }
 
 /// A mistake in the words of its item, a slip in the language of the page.
-fn counted(pages: &Pages, mistake: &Mistake) -> Counted {
+fn counted(pages: &Pages, mistake: &CommonMistake) -> Counted {
     let slip = pages.run.spoken().slip(&mistake.code);
     Counted {
         what: slip.unwrap_or(&mistake.what).to_owned(),

@@ -18,7 +18,7 @@ pub struct Common {
 
 /// A mistake that has a name.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
-pub struct Mistake {
+pub struct CommonMistake {
     /// The code of the reason.
     pub code: String,
     /// The sentence or the tag of the mistake.
@@ -58,7 +58,7 @@ impl Counts {
     }
 }
 
-impl Mistake {
+impl CommonMistake {
     /// A mistake of a part: one that its item names, or a slip that marking names.
     pub(crate) fn of(common: Common, part: Option<&Part>) -> Self {
         let number = common

@@ -17,20 +17,20 @@ use std::collections::BTreeMap;
 
 use serde::Serialize;
 
-pub use common::{Common, Mistake};
+pub use common::{Common, CommonMistake};
 pub use marks::{GradeCount, GroupSummary, MarksSummary, Standing, Standings};
 pub use part::PartSummary;
 
-use self::part::Tally;
+use self::part::PartTally;
 use self::statistics::{Moments, alpha, quantile};
 use crate::answer::Verdict;
 use crate::bank::Template;
 
 /// Where the letter of a part stands on a sheet: how long its letters are, these, and the same of its number.
-pub type Order<'a> = (usize, &'a str, usize, &'a str);
+pub type LetterOrder<'a> = (usize, &'a str, usize, &'a str);
 
 /// By what the letters of parts are sorted as on a sheet: `b`, `c1`, `c2`, `c10`, `d`, `aa`.
-pub fn order(letter: &str) -> Order<'_> {
+pub fn order(letter: &str) -> LetterOrder<'_> {
     let end = letter
         .find(|sign: char| sign.is_ascii_digit())
         .unwrap_or(letter.len());
@@ -64,7 +64,7 @@ pub struct Observation<'a> {
 /// Statistics over sheets.
 #[derive(Clone, Debug, Default)]
 pub struct Report {
-    parts: BTreeMap<(String, String), Tally>,
+    parts: BTreeMap<(String, String), PartTally>,
     /// Share of the points of each sheet.
     shares: Vec<f64>,
     sheets: usize,
@@ -177,7 +177,7 @@ impl Report {
 
     /// What came out; titles and texts of mistakes are those of the items that `template` finds by identity.
     pub fn summary<'t>(&self, template: impl Fn(&str) -> Option<&'t Template>) -> Summary {
-        let mut parts: Vec<(&(String, String), &Tally)> = self.parts.iter().collect();
+        let mut parts: Vec<(&(String, String), &PartTally)> = self.parts.iter().collect();
         parts.sort_by_cached_key(|(_, tally)| tally.first_place());
         let reliability = self.reliability();
         let has_one_max = self.max.variance().is_none_or(|variance| variance < 1e-18);
@@ -201,7 +201,7 @@ impl Report {
             .parts
             .values()
             .all(|part| part.settled() == self.points.count());
-        let variances: Option<Vec<f64>> = self.parts.values().map(Tally::variance).collect();
+        let variances: Option<Vec<f64>> = self.parts.values().map(PartTally::variance).collect();
         alpha(&variances.filter(|_| is_complete)?, self.points.variance()?)
     }
 

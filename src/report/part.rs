@@ -5,14 +5,14 @@ use std::collections::BTreeSet;
 use serde::Serialize;
 
 use super::Observation;
-use super::common::{Common, Counts, Mistake};
+use super::common::{Common, CommonMistake, Counts};
 use super::statistics::{Moments, Pairs};
 use crate::answer::Verdict;
 use crate::bank::Template;
 
 /// What is gathered of a part.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct Tally {
+pub(crate) struct PartTally {
     places: BTreeSet<(usize, String)>,
     verdicts: [u64; 5],
     follow_through: u64,
@@ -57,7 +57,7 @@ pub struct PartSummary {
     /// Correlation of the share of the points with that of the rest of the sheet.
     pub discrimination: Option<f64>,
     /// The commonest named mistakes.
-    pub mistakes: Vec<Mistake>,
+    pub mistakes: Vec<CommonMistake>,
     /// The commonest other wrong answers: numbers by their ratio to the key, others as they were read.
     pub others: Vec<Common>,
 }
@@ -65,7 +65,7 @@ pub struct PartSummary {
 /// How many of the commonest are reported.
 const TOLD: usize = 5;
 
-impl Tally {
+impl PartTally {
     /// Adds a marked response; `rest` is the share of points of the other decided parts of the sheet, if there are any,
     /// and `is_settled` says whether all parts of it are decided.
     pub(crate) fn add(&mut self, seen: &Observation<'_>, rest: Option<f64>, is_settled: bool) {
@@ -135,14 +135,16 @@ impl Tally {
             follow_through: self.follow_through,
             facility: self.shares.mean(),
             discrimination: self.against_rest.correlation(),
-            mistakes: mistakes.map(|common| Mistake::of(common, found)).collect(),
+            mistakes: mistakes
+                .map(|common| CommonMistake::of(common, found))
+                .collect(),
             // What one student alone wrote is no pattern.
             others: self.others.commonest(2, TOLD),
         }
     }
 
     /// Where it first stands on a sheet, for the order of the report.
-    pub(crate) fn first_place(&self) -> Option<(usize, super::Order<'_>)> {
+    pub(crate) fn first_place(&self) -> Option<(usize, super::LetterOrder<'_>)> {
         let places = self.places.iter();
         let places = places.map(|(question, letter)| (*question, super::order(letter)));
         places.min()

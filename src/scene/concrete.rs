@@ -20,7 +20,7 @@ const MAX_DEPTH: usize = 20;
 
 /// A formula without the branches that the data rule out, its moving pieces written out.
 pub(crate) fn concrete(solution: &Solution<'_>, expr: &Expr) -> Expr {
-    Reader { solution }.concrete(expr, 0)
+    Concretizer { solution }.concrete(expr, 0)
 }
 
 /// A quantity that moves with time, as a formula with numbers in SI units.
@@ -35,11 +35,11 @@ pub(crate) fn function(solution: &Solution<'_>, node: NodeId) -> Option<Math> {
     Some(folded.fold(&expr).typeset(&folded))
 }
 
-struct Reader<'a, 't> {
+struct Concretizer<'a, 't> {
     solution: &'a Solution<'t>,
 }
 
-impl Reader<'_, '_> {
+impl Concretizer<'_, '_> {
     fn concrete(&self, expr: &Expr, depth: usize) -> Expr {
         match expr.kind() {
             Kind::If(condition, first, second) => match self.truth(condition) {

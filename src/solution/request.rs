@@ -71,15 +71,15 @@ pub enum SolveOutcome {
 pub struct Solved {
     /// The data by name, in the order of the item.
     #[serde(serialize_with = "as_object")]
-    pub parameters: Vec<(String, Given)>,
+    pub parameters: Vec<(String, SolvedDatum)>,
     /// The answers by identity, in the order of the request or the item.
     #[serde(serialize_with = "as_object")]
     pub answers: Vec<(String, Entry)>,
 }
 
-/// A datum.
+/// A datum of the item, as a program gets it.
 #[derive(Clone, Debug, Serialize)]
-pub struct Given {
+pub struct SolvedDatum {
     /// Its value in its unit.
     pub value: f64,
     /// Its unit; `1` for a pure number.
@@ -261,11 +261,11 @@ fn times(at: &[Json]) -> Result<Vec<Precise>, Refusal> {
     at.iter().map(time).collect()
 }
 
-fn parameters(solution: &Solution<'_>) -> Vec<(String, Given)> {
+fn parameters(solution: &Solution<'_>) -> Vec<(String, SolvedDatum)> {
     let template = solution.template();
     let values = template.parameters.iter().zip(solution.instance().values());
     let entry = |(parameter, value): (&crate::bank::Parameter, &crate::unit::Quantity)| {
-        let given = Given {
+        let given = SolvedDatum {
             value: value.value.to_f64(),
             unit: unit_text(&value.unit),
             si: parameter.si_pair(value).0,

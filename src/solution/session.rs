@@ -32,7 +32,7 @@ const MAX_DATA_LENGTH: usize = 4096;
 /// ```
 pub struct Session<'c> {
     catalogue: &'c Catalogue,
-    kept: BTreeMap<SessionKey, Kept<'c>>,
+    kept: BTreeMap<SessionKey, KeptSolution<'c>>,
     /// Requests so far.
     count: u64,
     /// Whether the last item that was asked for does not exist; then the next one is not searched for either.
@@ -48,7 +48,7 @@ struct SessionKey {
     doubt: Doubt,
 }
 
-struct Kept<'c> {
+struct KeptSolution<'c> {
     solution: Rc<Solution<'c>>,
     /// The request that asked for it last.
     last: u64,
@@ -126,7 +126,7 @@ impl<'c> Session<'c> {
             self.kept.retain(|_, kept| Some(kept.last) != oldest);
         }
         let last = self.count;
-        self.kept.insert(data, Kept { solution, last });
+        self.kept.insert(data, KeptSolution { solution, last });
     }
 }
 
