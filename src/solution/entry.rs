@@ -75,115 +75,112 @@ pub enum Number {
     },
 }
 
-impl Solution<'_> {
-    /// The entry of an answer id: a quantity with a unit, or a part. Functions of time are given at the times `at`.
-    pub fn entry(&self, id: &str, at: &[Precise]) -> Option<Entry> {
-        let template = self.template();
-        let part = template.place(id);
-        let kind = part.map_or("quantity", |place| {
-            template.parts[place].answer.kind().name()
-        });
-        // A blank whose key is a quantity bore its name before it belonged to a group.
-        let old = part
-            .into_iter()
-            .flat_map(|place| &template.parts[place].was);
-        let mut names = std::iter::once(id).chain(old.map(String::as_str));
-        let named = names.find_map(|name| template.graph.find(&Name::new(name)));
-        let quantity = named.and_then(|node| Some((node, template.info(node)?)));
-        if let Some((node, info)) = quantity.filter(|(_, info)| info.units.is_some()) {
-            return Some(self.quantity_entry(kind, node, info, at));
-        }
-        part.map(|place| self.part_entry(kind, place))
+pub(crate) fn of(solution: &Solution<'_>, id: &str, at: &[Precise]) -> Option<Entry> {
+    let template = solution.template();
+    let part = template.place(id);
+    let kind = part.map_or("quantity", |place| {
+        template.parts[place].answer.kind().name()
+    });
+    // A blank whose key is a quantity bore its name before it belonged to a group.
+    let old = part
+        .into_iter()
+        .flat_map(|place| &template.parts[place].was);
+    let mut names = std::iter::once(id).chain(old.map(String::as_str));
+    let named = names.find_map(|name| template.graph.find(&Name::new(name)));
+    let quantity = named.and_then(|node| Some((node, template.info(node)?)));
+    if let Some((node, info)) = quantity.filter(|(_, info)| info.units.is_some()) {
+        return Some(quantity_entry(solution, kind, node, info, at));
     }
+    part.map(|place| part_entry(solution, kind, place))
+}
 
-    fn quantity_entry(
-        &self,
-        kind: &'static str,
-        node: NodeId,
-        info: &QuantityInfo,
-        at: &[Precise],
-    ) -> Entry {
-        let graph = &self.template().graph;
-        let variables = graph.variables(node);
-        if variables.iter().any(|name| name.as_str() != "t") {
-            let text = graph.expr(node).map(ToString::to_string);
-            return Entry {
-                text,
-                ..Entry::of(kind)
-            };
-        }
-        let unit = |shape| info.units.as_ref().map(|own| units(own, shape));
-        if !variables.is_empty() {
-            let function = self.evaluation().function(node);
-            let samples = function.map(|function| {
-                let sample = |time: &Precise| match function.at(&[*time]) {
-                    Ok(value) => numbers(&value),
-                    Err(_) => Nested::None(()),
-                };
-                Nested::List(at.iter().map(sample).collect())
-            });
-            let entry = Entry {
-                unit: unit(Shape::Scalar),
-                at: Some(at.iter().map(|time| time.high()).collect()),
-                ..Entry::of(kind)
-            };
-            return entry.with_value(samples);
-        }
-        let shape = graph.kind(node).map_or(Shape::Scalar, Type::shape);
-        let entry = Entry {
-            unit: unit(shape),
+fn quantity_entry(
+    solution: &Solution<'_>,
+    kind: &'static str,
+    node: NodeId,
+    info: &QuantityInfo,
+    at: &[Precise],
+) -> Entry {
+    let graph = &solution.template().graph;
+    let variables = graph.variables(node);
+    if variables.iter().any(|name| name.as_str() != "t") {
+        let text = graph.expr(node).map(ToString::to_string);
+        return Entry {
+            text,
             ..Entry::of(kind)
         };
-        entry.with_value(self.evaluation().value(node).map(numbers))
     }
-
-    fn part_entry(&self, kind: &'static str, place: usize) -> Entry {
-        let entry = Entry::of(kind);
-        let unit = || {
-            let unit = self.template().parts[place].answer.unit();
-            let unit = unit.map_or_else(|| "1".to_owned(), |unit| unit.coherent().to_string());
-            Some(Nested::One(unit))
+    let unit = |shape| info.units.as_ref().map(|own| units(own, shape));
+    if !variables.is_empty() {
+        let function = solution.evaluation().function(node);
+        let samples = function.map(|function| {
+            let sample = |time: &Precise| match function.at(&[*time]) {
+                Ok(value) => numbers(&value),
+                Err(_) => Nested::None(()),
+            };
+            Nested::List(at.iter().map(sample).collect())
+        });
+        let entry = Entry {
+            unit: unit(Shape::Scalar),
+            at: Some(at.iter().map(|time| time.high()).collect()),
+            ..Entry::of(kind)
         };
-        match self.marker(place).map(|marker| marker.key().value) {
-            Ok(KeyValue::Numbers { form, si }) => {
-                let bounds = vec![0.0; si.len()];
-                let value = Value::new(form, si, bounds);
-                Entry {
-                    unit: unit(),
-                    si: Some(value.map_or(Nested::None(()), |value| numbers(&value))),
-                    ..entry
-                }
-            }
-            Ok(KeyValue::Options { ids, is_list }) => {
-                let mut ids = ids.into_iter().map(Nested::One);
-                let value = if is_list {
-                    Nested::List(ids.collect())
-                } else {
-                    ids.next().unwrap_or(Nested::None(()))
-                };
-                Entry {
-                    value: Some(value),
-                    ..entry
-                }
-            }
-            Ok(KeyValue::Intervals { pieces, text }) => {
-                let piece = |([from, to], open): ([Option<f64>; 2], [bool; 2])| {
-                    Nested::One(Number::Interval { from, to, open })
-                };
-                Entry {
-                    unit: unit(),
-                    si: Some(Nested::List(pieces.into_iter().map(piece).collect())),
-                    text: Some(text),
-                    ..entry
-                }
-            }
-            Ok(KeyValue::Formula { text, latex }) => Entry {
-                text: Some(text),
-                latex: Some(latex),
+        return entry.with_value(samples);
+    }
+    let shape = graph.kind(node).map_or(Shape::Scalar, Type::shape);
+    let entry = Entry {
+        unit: unit(shape),
+        ..Entry::of(kind)
+    };
+    entry.with_value(solution.evaluation().value(node).map(numbers))
+}
+
+fn part_entry(solution: &Solution<'_>, kind: &'static str, place: usize) -> Entry {
+    let entry = Entry::of(kind);
+    let unit = || {
+        let unit = solution.template().parts[place].answer.unit();
+        let unit = unit.map_or_else(|| "1".to_owned(), |unit| unit.coherent().to_string());
+        Some(Nested::One(unit))
+    };
+    match solution.marker(place).map(|marker| marker.key().value) {
+        Ok(KeyValue::Numbers { form, si }) => {
+            let bounds = vec![0.0; si.len()];
+            let value = Value::new(form, si, bounds);
+            Entry {
+                unit: unit(),
+                si: Some(value.map_or(Nested::None(()), |value| numbers(&value))),
                 ..entry
-            },
-            Err(absent) => entry.with_value(Err(absent)),
+            }
         }
+        Ok(KeyValue::Options { ids, is_list }) => {
+            let mut ids = ids.into_iter().map(Nested::One);
+            let value = if is_list {
+                Nested::List(ids.collect())
+            } else {
+                ids.next().unwrap_or(Nested::None(()))
+            };
+            Entry {
+                value: Some(value),
+                ..entry
+            }
+        }
+        Ok(KeyValue::Intervals { pieces, text }) => {
+            let piece = |([from, to], open): ([Option<f64>; 2], [bool; 2])| {
+                Nested::One(Number::Interval { from, to, open })
+            };
+            Entry {
+                unit: unit(),
+                si: Some(Nested::List(pieces.into_iter().map(piece).collect())),
+                text: Some(text),
+                ..entry
+            }
+        }
+        Ok(KeyValue::Formula { text, latex }) => Entry {
+            text: Some(text),
+            latex: Some(latex),
+            ..entry
+        },
+        Err(absent) => entry.with_value(Err(absent)),
     }
 }
 

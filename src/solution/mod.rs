@@ -15,7 +15,7 @@ pub use session::Session;
 
 use crate::answer::{Context, Credit, Doubt, Key, Marker, Mistaken, Sampling};
 use crate::bank::{Mistake, MistakeAnswer, Part, Template};
-use crate::expr::{Expr, Name, Value};
+use crate::expr::{Expr, Name, Precise, Value};
 use crate::instance::Instance;
 use crate::math::Math;
 use crate::quantity::{Absent, Evaluation, NodeId, Trace};
@@ -329,5 +329,10 @@ impl<'t> Solution<'t> {
             unit: mistake.unit,
             credit: mistake.credit,
         })
+    }
+
+    /// The entry of an answer id: a quantity with a unit, or a part. Functions of time are given at the times `at`.
+    pub fn entry(&self, id: &str, at: &[Precise]) -> Option<Entry> {
+        entry::of(self, id, at)
     }
 }
