@@ -358,10 +358,10 @@ pub(crate) fn by_method(solution: &Solution<'_>, place: usize, method: &Method) 
             if method.formula().is_some() && !evaluation.graph().variables(method.step).is_empty() {
                 return function(evaluation, key, Some(method), FINE);
             }
-            function(&evaluation.wrongly(method).ok()?, key, None, FINE)
+            function(&method.evaluation(evaluation).ok()?, key, None, FINE)
         }
         AnswerKind::Numeric | AnswerKind::Integer => {
-            let wrong = evaluation.wrongly(method).ok()?;
+            let wrong = method.evaluation(evaluation).ok()?;
             let wrong = wrong.value(key).ok()?;
             let right = evaluation.value(key).ok()?;
             if same(wrong, right) {

@@ -13,7 +13,7 @@ use crate::numerics::Dd;
 use crate::work;
 
 use super::given::SlotValues;
-use super::graph::{Computation, Graph, Node, NodeId, NodeRole};
+use super::graph::{Computation, Graph, GraphNode, NodeId, NodeRole};
 use super::model::Offered;
 use super::trace::Trace;
 
@@ -296,7 +296,7 @@ impl<'g> Evaluation<'g> {
 
     fn run(
         &self,
-        node: &Node,
+        node: &GraphNode,
         computation: &Computation,
         variables: &[Precise],
     ) -> Result<Value, Absent> {
@@ -307,7 +307,7 @@ impl<'g> Evaluation<'g> {
 
     fn run_with<T>(
         &self,
-        node: &Node,
+        node: &GraphNode,
         computation: &Computation,
         variables: &[Precise],
         run: impl FnOnce(&Program, &SlotValues<'_, '_>, &mut Workspace) -> Result<T, Absence>,
@@ -328,7 +328,7 @@ impl<'g> Evaluation<'g> {
         })
     }
 
-    fn exists(&self, node: &Node) -> Result<(), Absent> {
+    fn exists(&self, node: &GraphNode) -> Result<(), Absent> {
         match node.when.map(|when| self.holds(when)) {
             None | Some(Ok(true)) => Ok(()),
             Some(Ok(false)) => Err(Absent::NotForTheseData(node.label.clone())),

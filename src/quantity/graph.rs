@@ -1,12 +1,17 @@
 //! The names of an item, what each stands for, and in which order they can be computed.
 
 use std::collections::{BTreeMap, BTreeSet};
-use std::sync::OnceLock;
+use std::sync::{Arc, OnceLock};
 
 use super::error::GraphError;
-use super::model::{DeclaredSystem, Offered};
+use super::link::{Linked, Linker};
+use super::model::{DeclaredSystem, Offered, beginning, rest};
 use super::settle::Uses;
-use crate::expr::{Expr, Kind, Name, Path, Program, Type};
+use super::{model, settle};
+use crate::expr::{CompileError, Expr, Kind, Name, Path, Program, Type};
+use crate::mechanics::{
+    Definition, Model, Quantity, QuantityError, QuantityType, Step, Unavailable, Way,
+};
 use crate::unit::Dimension;
 
 /// A thing of an item that has a value.
@@ -16,7 +21,7 @@ pub struct NodeId(u32);
 /// Everything of an item that has a value, and how it hangs together.
 #[derive(Debug, Default)]
 pub struct Graph {
-    pub(crate) nodes: Vec<Node>,
+    pub(crate) nodes: Vec<GraphNode>,
     pub(crate) names: BTreeMap<Name, NameEntry>,
     /// The models by their beginning in paths, `model` or `models.relative`.
     pub(crate) models: BTreeMap<Box<str>, NodeId>,
@@ -35,7 +40,7 @@ pub(crate) enum NameEntry {
 
 /// A parameter, quantity or formula.
 #[derive(Debug)]
-pub(crate) struct Node {
+pub(crate) struct GraphNode {
     /// Its name, or what it is for.
     pub(crate) label: Box<str>,
     pub(crate) role: NodeRole,
@@ -134,7 +139,7 @@ impl Graph {
         let id = self.named(name, NodeRole::Quantity(expr), declared)?;
         if let Some(condition) = when {
             let label = format!("condition of {name}").into();
-            let when = self.push(Node::new(
+            let when = self.push(GraphNode::new(
                 label,
                 NodeRole::Formula(condition),
                 Some(Type::boolean()),
@@ -154,11 +159,11 @@ impl Graph {
         label: impl Into<Box<str>>,
         expr: Expr,
     ) -> Result<NodeId, Vec<GraphError>> {
-        if let Some(list) = self.list(&expr) {
+        if let Some(list) = model::list(self, &expr) {
             return Ok(list);
         }
-        let id = self.push(Node::new(label.into(), NodeRole::Formula(expr), None));
-        let errors = self.settle(id);
+        let id = self.push(GraphNode::new(label.into(), NodeRole::Formula(expr), None));
+        let errors = settle::one(self, id);
         if errors.is_empty() {
             Ok(id)
         } else {
@@ -280,7 +285,7 @@ impl Graph {
             .collect()
     }
 
-    pub(crate) fn node(&self, id: NodeId) -> &Node {
+    pub(crate) fn node(&self, id: NodeId) -> &GraphNode {
         &self.nodes[id.index()]
     }
 
@@ -293,14 +298,168 @@ impl Graph {
         if let Some(NameEntry::Node(_)) = self.names.get(name) {
             return Err(GraphError::Taken { name: name.clone() });
         }
-        let id = self.push(Node::new(name.as_str().into(), role, kind));
+        let id = self.push(GraphNode::new(name.as_str().into(), role, kind));
         self.names.insert(name.clone(), NameEntry::Node(id));
         Ok(id)
     }
 
-    pub(crate) fn push(&mut self, node: Node) -> NodeId {
+    pub(crate) fn push(&mut self, node: GraphNode) -> NodeId {
         self.nodes.push(node);
         NodeId(self.nodes.len() as u32 - 1)
+    }
+
+    /// Checks all quantities, in an order in which each comes after those that it needs.
+    pub fn resolve(&mut self) -> Vec<(NodeId, GraphError)> {
+        settle::all(self)
+    }
+
+    /// Says what a node takes: these names, with the nodes that bear them, and nodes without a name.
+    pub(crate) fn set_uses(&mut self, id: NodeId, names: Vec<Name>, mut nodes: Vec<NodeId>) {
+        nodes.extend(names.iter().filter_map(|name| self.find(name)));
+        let node = &mut self.nodes[id.index()];
+        node.uses = Some(Uses { names, nodes });
+        node.reach.take();
+    }
+
+    /// The nodes that a node takes.
+    pub(crate) fn needs(&self, id: NodeId) -> Vec<NodeId> {
+        let uses = self.node(id).uses.as_ref();
+        uses.map_or(Vec::new(), |uses| uses.nodes.clone())
+    }
+
+    /// All names on which a node depends, through others too, and its own.
+    pub(crate) fn reach(&self, id: NodeId) -> &BTreeSet<Name> {
+        self.node(id).reach.get_or_init(|| {
+            let (mut open, mut seen) = (vec![id], BTreeSet::from([id]));
+            let mut reach = BTreeSet::new();
+            while let Some(id) = open.pop() {
+                let node = self.node(id);
+                if matches!(node.role, NodeRole::Parameter(_) | NodeRole::Quantity(_)) {
+                    reach.insert(Name::new(&*node.label));
+                }
+                if let Some(uses) = &node.uses {
+                    reach.extend(uses.names.iter().cloned());
+                    open.extend(uses.nodes.iter().filter(|own| seen.insert(**own)));
+                }
+            }
+            reach
+        })
+    }
+
+    pub(crate) fn link(&self, expr: &Expr) -> Result<Computation, CompileError> {
+        let linker = Linker::of(self);
+        let program = Program::compile(expr, &linker)?;
+        let Linked {
+            inputs,
+            variables,
+            motions,
+            ..
+        } = linker.finish();
+        Ok(Computation {
+            program,
+            inputs,
+            variables,
+            motions,
+        })
+    }
+
+    /// How the value of a node is computed.
+    pub(crate) fn computation(&self, id: NodeId) -> Option<&Computation> {
+        let node = self.node(id);
+        if !node.is_plain {
+            return node.computation.get()?.as_ref();
+        }
+        let translated = || self.link(node.expr()?).ok();
+        node.computation.get_or_init(translated).as_ref()
+    }
+
+    /// Adds a system under the beginning of its paths, `model` or `models.relative`.
+    pub fn model(&mut self, beginning: &str, definition: Definition) -> NodeId {
+        let system = Box::new(DeclaredSystem {
+            definition,
+            model: None,
+        });
+        let id = self.push(GraphNode::new(
+            beginning.into(),
+            NodeRole::Model(system),
+            None,
+        ));
+        self.models.insert(beginning.into(), id);
+        id
+    }
+
+    /// The model that was derived under this beginning of a path.
+    pub fn derived(&self, beginning: &str) -> Option<&Arc<Model>> {
+        self.system(*self.models.get(beginning)?)?.model.as_ref()
+    }
+
+    /// The model and the quantity that a path names.
+    pub fn offered(&self, path: &Path) -> Option<(&Arc<Model>, Quantity)> {
+        let model = self.system(self.model_of(path)?)?.model.as_ref()?;
+        Some((model, model.quantity(rest(path)).ok()?))
+    }
+
+    /// The model and the derivation that a path names.
+    pub fn way(&self, path: &Path) -> Option<(&Arc<Model>, Way)> {
+        self.derivation(path)?.ok()
+    }
+
+    /// The same with the reason why there is no such derivation; nothing where there is no such model, or where it could
+    /// not be derived itself.
+    pub fn derivation(&self, path: &Path) -> Option<Result<(&Arc<Model>, Way), QuantityError>> {
+        let model = self.system(self.model_of(path)?)?.model.as_ref()?;
+        Some(Way::of(model, rest(path)).map(|way| (model, way)))
+    }
+
+    /// The lines of the derivation that a path names; nothing where it names none.
+    pub fn lines(&self, path: &Path) -> Option<Result<Vec<Step>, Unavailable>> {
+        let (model, way) = self.way(path)?;
+        Some(match way {
+            Way::Static => {
+                let reduced = self.derived("model")?;
+                model.statics(reduced, &self.letters(model))
+            }
+            way => model.derivation(way),
+        })
+    }
+
+    /// The quantities that a model uses as letters, with their formulas; one whose formula is a number stays a letter.
+    fn letters(&self, model: &Model) -> Vec<(Name, Expr)> {
+        let formula = |name: &Name| {
+            let formula = self.expr(self.find(name)?)?;
+            let is_number = formula.names().free.is_empty();
+            (!is_number).then(|| (name.clone(), formula.clone()))
+        };
+        model.names().iter().filter_map(formula).collect()
+    }
+
+    /// All models that were derived, by the beginnings of their paths.
+    pub fn systems(&self) -> impl Iterator<Item = (&str, &Arc<Model>)> {
+        let models = self.models.iter();
+        models.filter_map(|(name, id)| Some((name.as_ref(), self.system(*id)?.model.as_ref()?)))
+    }
+
+    /// The quantities of models that formulas ask for, by path.
+    pub fn asked(&self) -> impl Iterator<Item = (&Path, NodeId)> {
+        self.paths.iter().map(|(path, node)| (path, *node))
+    }
+
+    /// The node of the system of a path.
+    pub(crate) fn model_of(&self, path: &Path) -> Option<NodeId> {
+        self.models.get(beginning(path).as_str()).copied()
+    }
+
+    pub(crate) fn system(&self, id: NodeId) -> Option<&DeclaredSystem> {
+        match &self.node(id).role {
+            NodeRole::Model(system) => Some(system),
+            _ => None,
+        }
+    }
+
+    /// Whether a node is a number of a model, no formula or function of time.
+    pub(crate) fn is_offered_number(&self, id: NodeId) -> bool {
+        let role = &self.node(id).role;
+        matches!(role, NodeRole::Offered(offered) if matches!(offered.quantity_type, QuantityType::Number(_)))
     }
 }
 
@@ -310,7 +469,7 @@ impl NodeId {
     }
 }
 
-impl Node {
+impl GraphNode {
     pub(crate) fn new(label: Box<str>, role: NodeRole, kind: Option<Type>) -> Self {
         Self {
             label,

@@ -103,39 +103,42 @@ pub struct Datum {
 /// No part has more methods from its formulas: what is long has many terms that are alike.
 const MAX_FORMULAS: usize = 24;
 
-impl Graph {
+/// A degree in radians.
+const DEGREE: f64 = std::f64::consts::PI / 180.0;
+
+impl Method {
     /// The wrong methods to a quantity: its own formula and those on the way to it, up to the quantities in `asked`,
     /// which other parts ask for, so that what is wrong in them is marked there; and the data on this way. Formulas
     /// that are `hidden`, abbreviations of the author's algebra that no student writes, are not varied.
-    pub fn methods(
-        &self,
+    pub fn all(
+        graph: &Graph,
         key: NodeId,
         asked: &[NodeId],
         hidden: impl Fn(NodeId) -> bool,
         datum: impl Fn(NodeId) -> Datum,
-    ) -> Vec<Method> {
-        let (formulas, data, held) = self.way_to(key, asked);
-        let cases = self.cases(key);
+    ) -> Vec<Self> {
+        let (formulas, data, held) = way_to(graph, key, asked);
+        let cases = cases(graph, key);
         let is_written = |step: &NodeId| *step == key || cases.contains(step) || !hidden(*step);
         let mut methods = Vec::new();
         for step in formulas.into_iter().filter(is_written) {
-            let Some(expr) = self.expr(step) else {
+            let Some(expr) = graph.expr(step) else {
                 continue;
             };
-            for (slip, changed) in variations(self.label(step), expr) {
+            for (slip, changed) in variations(graph.label(step), expr) {
                 // A formula of another dimension cannot stand in for the quantity, and units tell whoever
                 // made the slip.
-                let is_sound = methods.len() < MAX_FORMULAS && changed.check(self).is_ok();
-                if let Some(computation) = is_sound.then(|| self.link(&changed).ok()).flatten() {
+                let is_sound = methods.len() < MAX_FORMULAS && changed.check(graph).is_ok();
+                if let Some(computation) = is_sound.then(|| graph.link(&changed).ok()).flatten() {
                     let change = Change::Formula(Box::new(computation), changed);
-                    methods.push(Method::of(slip, step, change, &held));
+                    methods.push(Self::of(slip, step, change, &held));
                 }
             }
         }
         for step in data {
-            let name: Arc<str> = self.label(step).into();
+            let name: Arc<str> = graph.label(step).into();
             let known = datum(step);
-            let mut add = |slip, change| methods.push(Method::of(slip, step, change, &held));
+            let mut add = |slip, change| methods.push(Self::of(slip, step, change, &held));
             if known.is_gravity {
                 // The number of kilograms is then that of newtons.
                 add(Wrong::Weight(name), Change::Number(1.0));
@@ -165,58 +168,6 @@ impl Graph {
         methods
     }
 
-    /// The quantities that a quantity of cases is, one by one: what is written as the answer is one of them.
-    fn cases(&self, key: NodeId) -> Vec<NodeId> {
-        let (mut open, mut found) = (Vec::new(), Vec::new());
-        open.extend(self.expr(key));
-        while let Some(expr) = open.pop() {
-            match expr.kind() {
-                Kind::If(_, then, otherwise) => open.extend([then, otherwise]),
-                Kind::Name(name) => {
-                    let node = self.find(name).filter(|node| !found.contains(node));
-                    found.extend(node);
-                    open.extend(node.and_then(|node| self.expr(node)));
-                }
-                _ => {}
-            }
-        }
-        found
-    }
-
-    /// The formulas and the data on the way to a quantity, in the order in which they were written, and what is asked on it.
-    fn way_to(&self, key: NodeId, asked: &[NodeId]) -> (Vec<NodeId>, Vec<NodeId>, Arc<[NodeId]>) {
-        let (mut open, mut seen) = (vec![key], vec![key]);
-        let (mut formulas, mut data, mut held) = (Vec::new(), Vec::new(), Vec::new());
-        while let Some(node) = open.pop() {
-            match self.node(node).role {
-                NodeRole::Parameter(_) => data.push(node),
-                NodeRole::Quantity(_) | NodeRole::Formula(_) => formulas.push(node),
-                // A model takes the data of its energies.
-                NodeRole::Model(_) | NodeRole::Offered(_) => {}
-            }
-            for next in self.needs(node) {
-                if seen.contains(&next) {
-                    continue;
-                }
-                seen.push(next);
-                if asked.contains(&next) {
-                    held.push(next);
-                } else {
-                    open.push(next);
-                }
-            }
-        }
-        // The key's own formula first, then as they were written.
-        crate::numerics::sort_by_key(&mut formulas, |node| (*node != key, *node));
-        crate::numerics::sort_by(&mut data, Ord::cmp);
-        (formulas, data, held.into())
-    }
-}
-
-/// A degree in radians.
-const DEGREE: f64 = std::f64::consts::PI / 180.0;
-
-impl Method {
     fn of(slip: Wrong, step: NodeId, change: Change, held: &Arc<[NodeId]>) -> Self {
         let held = Arc::clone(held);
         Self {
@@ -234,37 +185,89 @@ impl Method {
             _ => None,
         }
     }
-}
 
-impl<'g> Evaluation<'g> {
-    /// The values where a step is taken wrongly.
+    /// The values where this step is taken wrongly.
     ///
     /// # Errors
     ///
     /// Why the step has no value by this method, or none at all.
-    pub(crate) fn wrongly(&self, method: &Method) -> Result<Self, Absent> {
-        let step = method.step;
-        let value = match &method.change {
-            Change::Formula(computation, _) => self.by(step, computation)?,
-            Change::Times(factor) => self.value(step)?.scaled(*factor),
+    pub(crate) fn evaluation<'g>(&self, right: &Evaluation<'g>) -> Result<Evaluation<'g>, Absent> {
+        let step = self.step;
+        let value = match &self.change {
+            Change::Formula(computation, _) => right.by(step, computation)?,
+            Change::Times(factor) => right.value(step)?.scaled(*factor),
             Change::Number(number) => Value::real(*number, 0.0),
         };
-        let known = method.held.iter().filter(|node| **node != step);
-        let known = known.filter_map(|node| Some((*node, self.value(*node).ok()?.clone())));
+        let known = self.held.iter().filter(|node| **node != step);
+        let known = known.filter_map(|node| Some((*node, right.value(*node).ok()?.clone())));
         let mut replaced = vec![(step, value)];
         replaced.extend(known);
-        Ok(self.replacing(replaced))
+        Ok(right.replacing(replaced))
     }
 
-    /// The function that a step is where it is taken wrongly; none where it is not a function, or another step is wrong.
-    pub(crate) fn function_wrongly(&self, method: &'g Method) -> Option<Function<'_, 'g>> {
-        match &method.change {
-            Change::Formula(computation, _) if self.graph().is_function(method.step) => {
-                Some(self.function_by(method.step, computation))
+    /// The function that the step is where it is taken wrongly; none where it is not a function, or another step is wrong.
+    pub(crate) fn function<'e, 'g>(
+        &'g self,
+        right: &'e Evaluation<'g>,
+    ) -> Option<Function<'e, 'g>> {
+        match &self.change {
+            Change::Formula(computation, _) if right.graph().is_function(self.step) => {
+                Some(right.function_by(self.step, computation))
             }
             _ => None,
         }
     }
+}
+
+/// The quantities that a quantity of cases is, one by one: what is written as the answer is one of them.
+fn cases(graph: &Graph, key: NodeId) -> Vec<NodeId> {
+    let (mut open, mut found) = (Vec::new(), Vec::new());
+    open.extend(graph.expr(key));
+    while let Some(expr) = open.pop() {
+        match expr.kind() {
+            Kind::If(_, then, otherwise) => open.extend([then, otherwise]),
+            Kind::Name(name) => {
+                let node = graph.find(name).filter(|node| !found.contains(node));
+                found.extend(node);
+                open.extend(node.and_then(|node| graph.expr(node)));
+            }
+            _ => {}
+        }
+    }
+    found
+}
+
+/// The formulas and the data on the way to a quantity, in the order in which they were written, and what is asked on it.
+fn way_to(
+    graph: &Graph,
+    key: NodeId,
+    asked: &[NodeId],
+) -> (Vec<NodeId>, Vec<NodeId>, Arc<[NodeId]>) {
+    let (mut open, mut seen) = (vec![key], vec![key]);
+    let (mut formulas, mut data, mut held) = (Vec::new(), Vec::new(), Vec::new());
+    while let Some(node) = open.pop() {
+        match graph.node(node).role {
+            NodeRole::Parameter(_) => data.push(node),
+            NodeRole::Quantity(_) | NodeRole::Formula(_) => formulas.push(node),
+            // A model takes the data of its energies.
+            NodeRole::Model(_) | NodeRole::Offered(_) => {}
+        }
+        for next in graph.needs(node) {
+            if seen.contains(&next) {
+                continue;
+            }
+            seen.push(next);
+            if asked.contains(&next) {
+                held.push(next);
+            } else {
+                open.push(next);
+            }
+        }
+    }
+    // The key's own formula first, then as they were written.
+    crate::numerics::sort_by_key(&mut formulas, |node| (*node != key, *node));
+    crate::numerics::sort_by(&mut data, Ord::cmp);
+    (formulas, data, held.into())
 }
 
 /// The ways in which a formula is commonly taken wrongly, each with what it is then.

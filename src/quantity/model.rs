@@ -4,17 +4,15 @@ use std::collections::BTreeSet;
 use std::sync::Arc;
 
 use super::error::GraphError;
-use super::graph::{Graph, Node, NodeId, NodeRole};
+use super::graph::{Graph, GraphNode, NodeId, NodeRole};
 use crate::expr::{CheckError, Expr, Kind, Name, Names, Path, Substitution, Type};
-use crate::mechanics::{
-    Definition, Model, Quantity, QuantityError, QuantityType, Step, Unavailable, Way,
-};
+use crate::mechanics::{Definition, Model, Quantity, QuantityType};
 use crate::source::nearest;
 
 /// A system as it is written, and once its names are settled, as it was derived.
 #[derive(Debug)]
 pub(crate) struct DeclaredSystem {
-    definition: Definition,
+    pub(crate) definition: Definition,
     pub(crate) model: Option<Arc<Model>>,
 }
 
@@ -130,264 +128,177 @@ fn formulas_mut(definition: &mut Definition) -> Vec<&mut Expr> {
     all
 }
 
-impl Graph {
-    /// Adds a system under the beginning of its paths, `model` or `models.relative`.
-    pub fn model(&mut self, beginning: &str, definition: Definition) -> NodeId {
-        let system = Box::new(DeclaredSystem {
-            definition,
-            model: None,
+/// Derives a system whose names are settled.
+pub(crate) fn derive(graph: &mut Graph, id: NodeId) -> Vec<GraphError> {
+    let Some(system) = graph.system(id) else {
+        return Vec::new();
+    };
+    let needed = system.needs();
+    let for_bodies = needs_of_bodies(&system.definition);
+    let unknown: Vec<GraphError> = needed
+        .union(&for_bodies)
+        .filter_map(|name| unknown(graph, system, name))
+        .collect();
+    if !unknown.is_empty() {
+        return unknown;
+    }
+    let mut definition = system.definition.clone();
+    let all = crate::numerics::gather(needed.union(&for_bodies).cloned());
+    let names = match put_functions_into(graph, &mut definition, all) {
+        Ok(names) => names,
+        Err(error) => return vec![GraphError::Compile(error.into())],
+    };
+    for name in &names {
+        let kind = graph.find(name).and_then(|node| graph.kind(node));
+        if let Some(dimension) = kind.and_then(Type::dimension) {
+            definition.dimensions.insert(name.clone(), dimension);
+        }
+    }
+    match Model::derive(definition) {
+        Err(errors) => errors.into_iter().map(GraphError::Model).collect(),
+        Ok(model) => {
+            graph.set_uses(id, names.into_iter().collect(), Vec::new());
+            if let NodeRole::Model(system) = &mut graph.nodes[id.index()].role {
+                system.model = Some(Arc::new(model));
+            }
+            Vec::new()
+        }
+    }
+}
+
+/// A name that a system needs and the item does not have.
+fn unknown(graph: &Graph, system: &DeclaredSystem, name: &Name) -> Option<GraphError> {
+    if graph.find(name).is_some() {
+        return None;
+    }
+    let mut span = crate::source::Span::NONE;
+    let definition = &system.definition;
+    for formula in formulas(definition).chain(formulas_of_bodies(definition)) {
+        formula.walk(&mut |node| {
+            if matches!(node.kind(), Kind::Name(own) if own == name) {
+                span = if span.is_none() { node.span() } else { span };
+            }
         });
-        let id = self.push(Node::new(beginning.into(), NodeRole::Model(system), None));
-        self.models.insert(beginning.into(), id);
-        id
     }
+    let known: Vec<&str> = graph
+        .names
+        .keys()
+        .map(Name::as_str)
+        .chain(own_names(&system.definition).map(Name::as_str))
+        .collect();
+    let nearest = nearest(name.as_str(), known).map(str::to_owned);
+    Some(GraphError::Check(CheckError::UnknownName {
+        name: name.clone(),
+        nearest,
+        span,
+    }))
+}
 
-    /// The model that was derived under this beginning of a path.
-    pub fn derived(&self, beginning: &str) -> Option<&Arc<Model>> {
-        self.system(*self.models.get(beginning)?)?.model.as_ref()
-    }
-
-    /// The model and the quantity that a path names.
-    pub fn offered(&self, path: &Path) -> Option<(&Arc<Model>, Quantity)> {
-        let model = self.system(self.model_of(path)?)?.model.as_ref()?;
-        Some((model, model.quantity(rest(path)).ok()?))
-    }
-
-    /// The model and the derivation that a path names.
-    pub fn way(&self, path: &Path) -> Option<(&Arc<Model>, Way)> {
-        self.derivation(path)?.ok()
-    }
-
-    /// The same with the reason why there is no such derivation; nothing where there is no such model, or where it could
-    /// not be derived itself.
-    pub fn derivation(&self, path: &Path) -> Option<Result<(&Arc<Model>, Way), QuantityError>> {
-        let model = self.system(self.model_of(path)?)?.model.as_ref()?;
-        Some(model.way(rest(path)).map(|way| (model, way)))
-    }
-
-    /// The lines of the derivation that a path names; nothing where it names none.
-    pub fn lines(&self, path: &Path) -> Option<Result<Vec<Step>, Unavailable>> {
-        let (model, way) = self.way(path)?;
-        Some(match way {
-            Way::Static => {
-                let reduced = self.derived("model")?;
-                model.statics(reduced, &self.letters(model))
-            }
-            way => model.derivation(way),
-        })
-    }
-
-    /// The quantities that a model uses as letters, with their formulas; one whose formula is a number stays a letter.
-    fn letters(&self, model: &Model) -> Vec<(Name, Expr)> {
-        let formula = |name: &Name| {
-            let formula = self.expr(self.find(name)?)?;
-            let is_number = formula.names().free.is_empty();
-            (!is_number).then(|| (name.clone(), formula.clone()))
-        };
-        model.names().iter().filter_map(formula).collect()
-    }
-
-    /// All models that were derived, by the beginnings of their paths.
-    pub fn systems(&self) -> impl Iterator<Item = (&str, &Arc<Model>)> {
-        let models = self.models.iter();
-        models.filter_map(|(name, id)| Some((name.as_ref(), self.system(*id)?.model.as_ref()?)))
-    }
-
-    /// The quantities of models that formulas ask for, by path.
-    pub fn asked(&self) -> impl Iterator<Item = (&Path, NodeId)> {
-        self.paths.iter().map(|(path, node)| (path, *node))
-    }
-
-    /// The node of the system of a path.
-    pub(crate) fn model_of(&self, path: &Path) -> Option<NodeId> {
-        self.models.get(beginning(path).as_str()).copied()
-    }
-
-    pub(crate) fn system(&self, id: NodeId) -> Option<&DeclaredSystem> {
-        match &self.node(id).role {
-            NodeRole::Model(system) => Some(system),
-            _ => None,
-        }
-    }
-
-    /// Whether a node is a number of a model, no formula or function of time.
-    pub(crate) fn is_offered_number(&self, id: NodeId) -> bool {
-        let role = &self.node(id).role;
-        matches!(role, NodeRole::Offered(offered) if matches!(offered.quantity_type, QuantityType::Number(_)))
-    }
-
-    /// Derives a system whose names are settled.
-    pub(crate) fn derive(&mut self, id: NodeId) -> Vec<GraphError> {
-        let Some(system) = self.system(id) else {
-            return Vec::new();
-        };
-        let needed = system.needs();
-        let for_bodies = needs_of_bodies(&system.definition);
-        let unknown: Vec<GraphError> = needed
-            .union(&for_bodies)
-            .filter_map(|name| self.unknown(system, name))
-            .collect();
-        if !unknown.is_empty() {
-            return unknown;
-        }
-        let mut definition = system.definition.clone();
-        let all = crate::numerics::gather(needed.union(&for_bodies).cloned());
-        let names = match self.put_functions_into(&mut definition, all) {
-            Ok(names) => names,
-            Err(error) => return vec![GraphError::Compile(error.into())],
-        };
-        for name in &names {
-            let kind = self.find(name).and_then(|node| self.kind(node));
-            if let Some(dimension) = kind.and_then(Type::dimension) {
-                definition.dimensions.insert(name.clone(), dimension);
+/// Puts quantities that are functions of time or of a coordinate into the formulas of a system that needs these
+/// names; the names that it needs then.
+fn put_functions_into(
+    graph: &Graph,
+    definition: &mut Definition,
+    mut needed: BTreeSet<Name>,
+) -> Result<BTreeSet<Name>, crate::expr::SymbolicError> {
+    // Each round opens one level, and no chain of quantities has more levels than there are quantities.
+    for _ in 0..graph.nodes.len() {
+        let mut substitution = Substitution::new();
+        let mut any = false;
+        for name in &needed {
+            let Some(id) = graph.find(name).filter(|id| graph.is_function(*id)) else {
+                continue;
+            };
+            if let Some(expr) = graph.expr(id) {
+                substitution = substitution.with(name.clone(), expr.clone());
+                any = true;
             }
         }
-        match Model::derive(definition) {
-            Err(errors) => errors.into_iter().map(GraphError::Model).collect(),
-            Ok(model) => {
-                self.set_uses(id, names.into_iter().collect(), Vec::new());
-                if let NodeRole::Model(system) = &mut self.nodes[id.index()].role {
-                    system.model = Some(Arc::new(model));
-                }
-                Vec::new()
-            }
+        if !any {
+            break;
+        }
+        for formula in formulas_mut(definition) {
+            *formula = substitution.apply(formula)?;
+        }
+        needed = needs(definition);
+    }
+    Ok(needed)
+}
+
+/// The node of a formula that is a list of a model and nothing else. How long it is depends on the
+/// data, so it has no type, and stands in no other formula.
+pub(crate) fn list(graph: &mut Graph, expr: &Expr) -> Option<NodeId> {
+    let Kind::Path(path) = expr.kind() else {
+        return None;
+    };
+    let id = offer(graph, path).ok()?;
+    match &graph.node(id).role {
+        NodeRole::Offered(Offered {
+            quantity_type: QuantityType::List(_),
+            ..
+        }) => Some(id),
+        _ => None,
+    }
+}
+
+/// Makes nodes for all quantities of models that a formula asks for.
+pub(crate) fn offer_all(graph: &mut Graph, expr: &Expr, names: &Names) -> Vec<GraphError> {
+    let mut errors = Vec::new();
+    for path in &names.paths {
+        if let Err(error) = offer(graph, path) {
+            let span = place(expr, path);
+            errors.extend(error.map(|error| error.at(span)));
         }
     }
+    errors
+}
 
-    /// A name that a system needs and the item does not have.
-    fn unknown(&self, system: &DeclaredSystem, name: &Name) -> Option<GraphError> {
-        if self.find(name).is_some() {
-            return None;
-        }
-        let mut span = crate::source::Span::NONE;
-        let definition = &system.definition;
-        for formula in formulas(definition).chain(formulas_of_bodies(definition)) {
-            formula.walk(&mut |node| {
-                if matches!(node.kind(), Kind::Name(own) if own == name) {
-                    span = if span.is_none() { node.span() } else { span };
-                }
-            });
-        }
-        let known: Vec<&str> = self
-            .names
-            .keys()
-            .map(Name::as_str)
-            .chain(own_names(&system.definition).map(Name::as_str))
-            .collect();
-        let nearest = nearest(name.as_str(), known).map(str::to_owned);
-        Some(GraphError::Check(CheckError::UnknownName {
-            name: name.clone(),
+/// The node of a quantity of a model. The error is empty where the model itself is at fault.
+fn offer(graph: &mut Graph, path: &Path) -> Result<NodeId, Option<GraphError>> {
+    if let Some(id) = graph.paths.get(path) {
+        return Ok(*id);
+    }
+    let unknown = || {
+        let nearest =
+            nearest(&beginning(path), graph.models.keys().map(AsRef::as_ref)).map(str::to_owned);
+        Some(GraphError::Check(CheckError::UnknownPath {
+            path: path.clone(),
             nearest,
-            span,
+            span: crate::source::Span::NONE,
         }))
-    }
-
-    /// Puts quantities that are functions of time or of a coordinate into the formulas of a system that needs these
-    /// names; the names that it needs then.
-    fn put_functions_into(
-        &self,
-        definition: &mut Definition,
-        mut needed: BTreeSet<Name>,
-    ) -> Result<BTreeSet<Name>, crate::expr::SymbolicError> {
-        // Each round opens one level, and no chain of quantities has more levels than there are quantities.
-        for _ in 0..self.nodes.len() {
-            let mut substitution = Substitution::new();
-            let mut any = false;
-            for name in &needed {
-                let Some(id) = self.find(name).filter(|id| self.is_function(*id)) else {
-                    continue;
-                };
-                if let Some(expr) = self.expr(id) {
-                    substitution = substitution.with(name.clone(), expr.clone());
-                    any = true;
-                }
-            }
-            if !any {
-                break;
-            }
-            for formula in formulas_mut(definition) {
-                *formula = substitution.apply(formula)?;
-            }
-            needed = needs(definition);
-        }
-        Ok(needed)
-    }
-
-    /// The node of a formula that is a list of a model and nothing else. How long it is depends on the
-    /// data, so it has no type, and stands in no other formula.
-    pub(crate) fn list(&mut self, expr: &Expr) -> Option<NodeId> {
-        let Kind::Path(path) = expr.kind() else {
-            return None;
-        };
-        let id = self.offer(path).ok()?;
-        match &self.node(id).role {
-            NodeRole::Offered(Offered {
-                quantity_type: QuantityType::List(_),
-                ..
-            }) => Some(id),
-            _ => None,
-        }
-    }
-
-    /// Makes nodes for all quantities of models that a formula asks for.
-    pub(crate) fn offer_all(&mut self, expr: &Expr, names: &Names) -> Vec<GraphError> {
-        let mut errors = Vec::new();
-        for path in &names.paths {
-            if let Err(error) = self.offer(path) {
-                let span = place(expr, path);
-                errors.extend(error.map(|error| error.at(span)));
-            }
-        }
-        errors
-    }
-
-    /// The node of a quantity of a model. The error is empty where the model itself is at fault.
-    fn offer(&mut self, path: &Path) -> Result<NodeId, Option<GraphError>> {
-        if let Some(id) = self.paths.get(path) {
-            return Ok(*id);
-        }
-        let unknown = || {
-            let nearest =
-                nearest(&beginning(path), self.models.keys().map(AsRef::as_ref)).map(str::to_owned);
-            Some(GraphError::Check(CheckError::UnknownPath {
-                path: path.clone(),
-                nearest,
-                span: crate::source::Span::NONE,
-            }))
-        };
-        let system = self.model_of(path).ok_or_else(unknown)?;
-        let model = self
-            .system(system)
-            .and_then(|own| own.model.clone())
-            .ok_or(None)?;
-        let fail = |error| {
-            Some(GraphError::Offer {
-                error,
-                span: crate::source::Span::NONE,
-            })
-        };
-        let quantity = model.quantity(rest(path)).map_err(fail)?;
-        let quantity_type = model.quantity_type(quantity);
-        let kind = match &quantity_type {
-            QuantityType::Formula(kind) | QuantityType::Number(kind) => Some(kind.clone()),
-            QuantityType::Motion(dimension) => Some(Type::real(*dimension)),
-            _ => None,
-        };
-        let node = Node::new(
-            path.to_string().into(),
-            NodeRole::Offered(Offered {
-                system,
-                model,
-                quantity,
-                quantity_type,
-            }),
-            kind,
-        );
-        let id = self.push(node);
-        self.set_uses(id, Vec::new(), vec![system]);
-        self.paths.insert(path.clone(), id);
-        Ok(id)
-    }
+    };
+    let system = graph.model_of(path).ok_or_else(unknown)?;
+    let model = graph
+        .system(system)
+        .and_then(|own| own.model.clone())
+        .ok_or(None)?;
+    let fail = |error| {
+        Some(GraphError::Offer {
+            error,
+            span: crate::source::Span::NONE,
+        })
+    };
+    let quantity = model.quantity(rest(path)).map_err(fail)?;
+    let quantity_type = QuantityType::of(&model, quantity);
+    let kind = match &quantity_type {
+        QuantityType::Formula(kind) | QuantityType::Number(kind) => Some(kind.clone()),
+        QuantityType::Motion(dimension) => Some(Type::real(*dimension)),
+        _ => None,
+    };
+    let node = GraphNode::new(
+        path.to_string().into(),
+        NodeRole::Offered(Offered {
+            system,
+            model,
+            quantity,
+            quantity_type,
+        }),
+        kind,
+    );
+    let id = graph.push(node);
+    graph.set_uses(id, Vec::new(), vec![system]);
+    graph.paths.insert(path.clone(), id);
+    Ok(id)
 }
 
 impl GraphError {
@@ -408,7 +319,7 @@ impl GraphError {
 }
 
 /// `model`, or `models.relative`.
-fn beginning(path: &Path) -> String {
+pub(crate) fn beginning(path: &Path) -> String {
     match path.names() {
         [first, second, ..] if first.as_str() == "models" => format!("{first}.{second}"),
         [first, ..] => first.to_string(),
@@ -417,7 +328,7 @@ fn beginning(path: &Path) -> String {
 }
 
 /// What follows the beginning.
-fn rest(path: &Path) -> &[Name] {
+pub(crate) fn rest(path: &Path) -> &[Name] {
     let names = path.names();
     let skipped = if names
         .first()

@@ -207,7 +207,7 @@ impl<'s> Beside<'s> {
     fn distance(&self, method: &Method) -> Option<f64> {
         let wrong = match self.times {
             None => {
-                let wrong = self.evaluation.wrongly(method).ok()?;
+                let wrong = method.evaluation(self.evaluation).ok()?;
                 wrong.value(self.key).ok()?.numbers().to_vec()
             }
             Some(times) => self.course(method, |wrong| samples(wrong, times, self.fine()))?,
@@ -260,13 +260,19 @@ impl<'s> Beside<'s> {
     ) -> Option<T> {
         let evaluation = self.evaluation;
         if evaluation.graph().variables(method.step).is_empty() {
-            return look(&evaluation.wrongly(method).ok()?.function(self.key).ok()?);
+            return look(
+                &method
+                    .evaluation(evaluation)
+                    .ok()?
+                    .function(self.key)
+                    .ok()?,
+            );
         }
         // A function that is one of the cases of the key is wrong where it is the one in force.
         if !self.is_in_force(method.step) {
             return None;
         }
-        look(&evaluation.function_wrongly(method)?)
+        look(&method.function(evaluation)?)
     }
 
     /// The accuracy of what is compared with the key: far below [`SAME`].
