@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use super::definition::Definition;
-use super::error::{Key, ModelError};
+use super::error::{DefinitionKey, ModelError};
 use crate::expr::{AnyDimension, Expr, Kind, Name, Operator, Scope, Type};
 use crate::unit::Dimension;
 
@@ -12,7 +12,7 @@ const MAX_PASSES: usize = 16;
 
 /// All that is wrong with the dimensions of a definition.
 pub(crate) fn check(definition: &Definition) -> Vec<ModelError> {
-    let mut checker = Checker {
+    let mut checker = DefinitionChecker {
         definition,
         kinematics: BTreeMap::new(),
         errors: Vec::new(),
@@ -22,14 +22,14 @@ pub(crate) fn check(definition: &Definition) -> Vec<ModelError> {
     checker.errors
 }
 
-struct Checker<'a> {
+struct DefinitionChecker<'a> {
     definition: &'a Definition,
     /// What the kinematic names are, as far as it is known by now.
     kinematics: BTreeMap<Name, Type>,
     errors: Vec<ModelError>,
 }
 
-impl Scope for Checker<'_> {
+impl Scope for DefinitionChecker<'_> {
     fn name(&self, name: &Name) -> Option<Type> {
         if name.as_str() == "t" {
             return Some(Type::real(Dimension::TIME));
@@ -62,7 +62,7 @@ impl Scope for Checker<'_> {
     }
 }
 
-impl Checker<'_> {
+impl DefinitionChecker<'_> {
     fn settle_kinematics(&mut self) {
         let formulas = &self.definition.kinematics;
         for _ in 0..formulas.len().min(MAX_PASSES) {
@@ -77,33 +77,49 @@ impl Checker<'_> {
     fn check_all(&mut self) {
         let definition = self.definition;
         for (_, formula) in &definition.kinematics {
-            self.check_form(Key::Kinematics, formula);
+            self.check_form(DefinitionKey::Kinematics, formula);
         }
-        self.check_sum(Key::Kinetic, &definition.kinetic, Dimension::ENERGY);
-        self.check_sum(Key::Potential, &definition.potential, Dimension::ENERGY);
-        self.check_sum(Key::Dissipation, &definition.dissipation, Dimension::POWER);
+        self.check_sum(
+            DefinitionKey::Kinetic,
+            &definition.kinetic,
+            Dimension::ENERGY,
+        );
+        self.check_sum(
+            DefinitionKey::Potential,
+            &definition.potential,
+            Dimension::ENERGY,
+        );
+        self.check_sum(
+            DefinitionKey::Dissipation,
+            &definition.dissipation,
+            Dimension::POWER,
+        );
         for (name, formula) in &definition.forces {
             if let Some(along) = self.along(name) {
-                self.check_sum(Key::Forces, formula, Dimension::ENERGY / along);
+                self.check_sum(DefinitionKey::Forces, formula, Dimension::ENERGY / along);
             }
         }
         for (name, friction) in &definition.friction {
             if let Some(along) = self.along(name) {
                 let force = Dimension::ENERGY / along;
                 for formula in std::iter::once(&friction.kinetic).chain(&friction.holding) {
-                    self.check_sum(Key::Friction, formula, force);
+                    self.check_sum(DefinitionKey::Friction, formula, force);
                 }
             }
         }
         for (name, initial) in &definition.initial {
             if let Some(along) = self.along(name) {
-                self.check_sum(Key::Initial, &initial.position, along);
-                self.check_sum(Key::Initial, &initial.velocity, along / Dimension::TIME);
+                self.check_sum(DefinitionKey::Initial, &initial.position, along);
+                self.check_sum(
+                    DefinitionKey::Initial,
+                    &initial.velocity,
+                    along / Dimension::TIME,
+                );
             }
         }
         for (name, formula) in &definition.equilibrium {
             if let Some(along) = self.along(name) {
-                self.check_sum(Key::Equilibrium, formula, along);
+                self.check_sum(DefinitionKey::Equilibrium, formula, along);
             }
         }
     }
@@ -117,7 +133,7 @@ impl Checker<'_> {
     }
 
     /// Names and forms are right, whatever the dimension.
-    fn check_form(&mut self, key: Key, formula: &Expr) -> Option<Type> {
+    fn check_form(&mut self, key: DefinitionKey, formula: &Expr) -> Option<Type> {
         match formula.check(&*self) {
             Ok(found) => Some(found),
             Err(findings) => {
@@ -131,7 +147,7 @@ impl Checker<'_> {
     }
 
     /// Each term of a sum has the dimension that is due.
-    fn check_sum(&mut self, key: Key, formula: &Expr, expected: Dimension) {
+    fn check_sum(&mut self, key: DefinitionKey, formula: &Expr, expected: Dimension) {
         for term in terms(formula) {
             let Some(found) = self.check_form(key, term) else {
                 continue;

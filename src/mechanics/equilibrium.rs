@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 
 use super::definition::Definition;
-use super::error::{Key, ModelError};
+use super::error::{DefinitionKey, ModelError};
 use super::kinematics::Kinematics;
 use super::lagrange::position;
 use crate::expr::{Expr, Kind, Name, Normal, Order, Substitution, SymbolicError, Variable};
@@ -72,7 +72,7 @@ impl Balance {
             return stated(definition, kinematics).map(Equilibrium::Stated);
         }
         let span = definition.potential.span();
-        let symbolic = ModelError::symbolic(Key::Potential, span);
+        let symbolic = ModelError::symbolic(DefinitionKey::Potential, span);
         // First, since it settles pendulums and other systems that no linear solver does.
         if self.vanishes_at_zero(coordinates).map_err(&symbolic)? {
             return Ok(Equilibrium::Solved(vec![
@@ -142,8 +142,8 @@ impl Balance {
 fn stated(definition: &Definition, kinematics: &Kinematics) -> Result<Vec<Expr>, ModelError> {
     let mut stated = vec![Expr::number(0); definition.coordinates.len()];
     for (name, formula) in &definition.equilibrium {
-        let at = position(definition, name, Key::Equilibrium, formula)?;
-        stated[at] = kinematics.apply(Key::Equilibrium, formula)?;
+        let at = position(definition, name, DefinitionKey::Equilibrium, formula)?;
+        stated[at] = kinematics.apply(DefinitionKey::Equilibrium, formula)?;
     }
     Ok(stated)
 }

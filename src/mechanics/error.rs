@@ -9,7 +9,7 @@ use crate::unit::Dimension;
 
 /// A key of a model.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Key {
+pub enum DefinitionKey {
     /// The key `coordinates`: names and dimensions of what moves.
     Coordinates,
     /// The key `kinematics`: positions as formulas in the coordinates.
@@ -30,7 +30,7 @@ pub enum Key {
     Equilibrium,
 }
 
-impl Key {
+impl DefinitionKey {
     /// As it is written.
     pub fn name(self) -> &'static str {
         match self {
@@ -47,7 +47,7 @@ impl Key {
     }
 }
 
-impl std::fmt::Display for Key {
+impl std::fmt::Display for DefinitionKey {
     fn fmt(&self, formatter: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         formatter.write_str(self.name())
     }
@@ -69,7 +69,7 @@ pub enum ModelError {
     #[error("`{key}`: {error}")]
     Check {
         /// In which formula.
-        key: Key,
+        key: DefinitionKey,
         /// What is wrong with the formula.
         error: CheckError,
     },
@@ -77,7 +77,7 @@ pub enum ModelError {
     #[error("a term of `{key}` is in {}, due is {}", found.map_or("several dimensions".into(), Dimension::describe), expected.describe())]
     Dimension {
         /// In which formula.
-        key: Key,
+        key: DefinitionKey,
         /// The dimension of the term; none if it is not a single number.
         found: Option<Dimension>,
         /// What is due.
@@ -107,7 +107,7 @@ pub enum ModelError {
         /// The name, as the model writes it.
         name: Name,
         /// In which table.
-        key: Key,
+        key: DefinitionKey,
         /// The formula that is given.
         span: Span,
     },
@@ -117,7 +117,7 @@ pub enum ModelError {
         /// The name, as the model writes it.
         name: Name,
         /// In which formula.
-        key: Key,
+        key: DefinitionKey,
         /// The bytes of the text that the message points at.
         span: Span,
     },
@@ -125,7 +125,7 @@ pub enum ModelError {
     #[error("`{key}` depends on an acceleration")]
     Acceleration {
         /// In which formula.
-        key: Key,
+        key: DefinitionKey,
         /// The bytes of the text that the message points at.
         span: Span,
     },
@@ -181,7 +181,7 @@ pub enum ModelError {
     #[error("`{key}`: {error}")]
     Symbolic {
         /// In which formula.
-        key: Key,
+        key: DefinitionKey,
         /// What the algebra could not do.
         error: SymbolicError,
         /// The formula, or the place in it.
@@ -190,7 +190,7 @@ pub enum ModelError {
 }
 
 impl ModelError {
-    pub(crate) fn symbolic(key: Key, whole: Span) -> impl Fn(SymbolicError) -> Self {
+    pub(crate) fn symbolic(key: DefinitionKey, whole: Span) -> impl Fn(SymbolicError) -> Self {
         move |error| {
             let place = error.span().filter(|span| !span.is_none());
             Self::Symbolic {

@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 
 use super::definition::Definition;
-use super::error::{Key, ModelError};
+use super::error::{DefinitionKey, ModelError};
 use crate::expr::{Expr, Kind, Name, Substitution};
 
 /// Kinematic names and what stands for them in terms of coordinates and time.
@@ -38,7 +38,7 @@ impl Kinematics {
                 });
             };
             for (name, formula) in ready {
-                let formula = resolved.apply(Key::Kinematics, formula)?;
+                let formula = resolved.apply(DefinitionKey::Kinematics, formula)?;
                 resolved.substitution = resolved.substitution.with(name.clone(), formula);
             }
             open = rest;
@@ -47,14 +47,14 @@ impl Kinematics {
     }
 
     /// A formula in terms of coordinates, their derivatives and time.
-    pub(crate) fn apply(&self, key: Key, formula: &Expr) -> Result<Expr, ModelError> {
+    pub(crate) fn apply(&self, key: DefinitionKey, formula: &Expr) -> Result<Expr, ModelError> {
         self.check_primes(key, formula)?;
         let put_in = self.substitution.apply(formula);
         put_in.map_err(ModelError::symbolic(key, formula.span()))
     }
 
     /// Primes stand at what moves.
-    fn check_primes(&self, key: Key, formula: &Expr) -> Result<(), ModelError> {
+    fn check_primes(&self, key: DefinitionKey, formula: &Expr) -> Result<(), ModelError> {
         let mut missing = None;
         formula.walk(&mut |node| {
             if let Kind::Prime(inner, _) = node.kind()

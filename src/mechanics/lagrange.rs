@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 
 use super::definition::Definition;
-use super::error::{Key, ModelError};
+use super::error::{DefinitionKey, ModelError};
 use super::kinematics::Kinematics;
 use crate::expr::{Expr, Kind, Name, Normal, SymbolicError, Variable};
 
@@ -45,9 +45,9 @@ impl Energies {
         };
         let mut energies = Self {
             coordinates: names(definition),
-            kinetic: put_in(Key::Kinetic, &definition.kinetic),
-            potential: put_in(Key::Potential, &definition.potential),
-            dissipation: put_in(Key::Dissipation, &definition.dissipation),
+            kinetic: put_in(DefinitionKey::Kinetic, &definition.kinetic),
+            potential: put_in(DefinitionKey::Potential, &definition.potential),
+            dissipation: put_in(DefinitionKey::Dissipation, &definition.dissipation),
             forces: Vec::new(),
         };
         match forces(definition, kinematics) {
@@ -67,14 +67,22 @@ impl Energies {
 
     fn check_derivatives(&self, definition: &Definition) -> Result<(), ModelError> {
         let written = [
-            (Key::Kinetic, &self.kinetic, &definition.kinetic),
-            (Key::Potential, &self.potential, &definition.potential),
-            (Key::Dissipation, &self.dissipation, &definition.dissipation),
+            (DefinitionKey::Kinetic, &self.kinetic, &definition.kinetic),
+            (
+                DefinitionKey::Potential,
+                &self.potential,
+                &definition.potential,
+            ),
+            (
+                DefinitionKey::Dissipation,
+                &self.dissipation,
+                &definition.dissipation,
+            ),
         ];
         for (key, energy, written) in written {
             if let Some(Variable { name, order }) = highest_derivative(energy) {
                 let span = written.span();
-                if key == Key::Potential && order > 0 {
+                if key == DefinitionKey::Potential && order > 0 {
                     return Err(ModelError::VelocityInPotential { name, span });
                 }
                 if order > 1 {
@@ -89,7 +97,7 @@ impl Energies {
     fn checked_kinetic(&self, definition: &Definition) -> Result<Normal, ModelError> {
         let span = definition.kinetic.span();
         let kinetic = Normal::of(&self.kinetic);
-        let kinetic = kinetic.map_err(ModelError::symbolic(Key::Kinetic, span))?;
+        let kinetic = kinetic.map_err(ModelError::symbolic(DefinitionKey::Kinetic, span))?;
         let velocities = self.coordinates.iter().map(|name| Variable::of(name, 1));
         let velocities: Vec<_> = velocities.collect();
         if kinetic
@@ -163,11 +171,11 @@ fn names(definition: &Definition) -> Vec<Name> {
 fn forces(definition: &Definition, kinematics: &Kinematics) -> Result<Vec<Expr>, ModelError> {
     let mut forces = vec![Expr::number(0); definition.coordinates.len()];
     for (name, formula) in &definition.forces {
-        let at = position(definition, name, Key::Forces, formula)?;
-        let force = kinematics.apply(Key::Forces, formula)?;
+        let at = position(definition, name, DefinitionKey::Forces, formula)?;
+        let force = kinematics.apply(DefinitionKey::Forces, formula)?;
         if highest_derivative(&force).is_some_and(|highest| highest.order > 1) {
             return Err(ModelError::Acceleration {
-                key: Key::Forces,
+                key: DefinitionKey::Forces,
                 span: formula.span(),
             });
         }
@@ -180,7 +188,7 @@ fn forces(definition: &Definition, kinematics: &Kinematics) -> Result<Vec<Expr>,
 pub(crate) fn position(
     definition: &Definition,
     name: &Name,
-    key: Key,
+    key: DefinitionKey,
     formula: &Expr,
 ) -> Result<usize, ModelError> {
     let mut coordinates = definition.coordinates.iter();

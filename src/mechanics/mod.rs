@@ -29,7 +29,7 @@ mod steps;
 mod unavailable;
 
 pub use definition::{Body, Coordinate, Definition, Friction, Initial};
-pub use error::{Key, ModelError};
+pub use error::{DefinitionKey, ModelError};
 pub use model::Model;
 pub use numbers::{Frictional, Linearization, Motion, Numbers, Sdof, TurningPoints};
 pub use quantity::{Quantity, QuantityError};

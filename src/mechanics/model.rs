@@ -5,14 +5,16 @@ use std::collections::BTreeSet;
 use super::definition::{Body, Definition, Friction, Initial};
 use super::energy::written;
 use super::equilibrium::{Balance, Equilibrium};
-use super::error::{Key, ModelError};
+use super::error::{DefinitionKey, ModelError};
 use super::evaluation::{Evaluation, ModelGiven};
 use super::kinematics::Kinematics;
 use super::lagrange::{Energies, position};
 use super::linear::{Linear, Matrix};
 use super::order::textbook;
 use super::programs::Compiled;
-use super::{Unavailable, dimensions};
+use super::quantity::{Quantity, QuantityError};
+use super::steps::{self, Letters, NewtonError, Step, Way};
+use super::{Unavailable, dimensions, formulas};
 use crate::expr::{Equation, Expr, Name, Normal, Order, Variable};
 use crate::unit::Dimension;
 
@@ -95,7 +97,7 @@ impl Model {
         initial: Vec<Initial>,
     ) -> Result<Self, ModelError> {
         let names = &energies.coordinates;
-        let symbolic = ModelError::symbolic(Key::Kinetic, definition.kinetic.span());
+        let symbolic = ModelError::symbolic(DefinitionKey::Kinetic, definition.kinetic.span());
         let sums = energies.sums(kinetic).map_err(&symbolic)?;
         let residuals = energies.residuals(&sums).map_err(&symbolic)?;
         let balance = Balance::of(&residuals, names).map_err(&symbolic)?;
@@ -156,7 +158,7 @@ impl Model {
     /// written so.
     pub(crate) fn in_coordinates(&self, formula: &Expr) -> Option<Expr> {
         let kinematics = Kinematics::of(&self.definition).ok()?;
-        kinematics.apply(Key::Kinematics, formula).ok()
+        kinematics.apply(DefinitionKey::Kinematics, formula).ok()
     }
 
     /// The bodies whose laws of motion are declared.
@@ -286,6 +288,99 @@ impl Model {
         };
         Some(Expr::array(rows.map(row).collect::<Vec<_>>()))
     }
+
+    /// A quantity as a formula in the names of the model, where it has one.
+    ///
+    /// # Errors
+    ///
+    /// [`Unavailable::NoFormula`] where it has none, [`Unavailable::SeveralCoordinates`].
+    pub fn formula(&self, quantity: Quantity) -> Result<Expr, Unavailable> {
+        formulas::formula(self, quantity)
+    }
+
+    /// The equations that a quantity is: one, or one per coordinate, with dry friction on the right.
+    ///
+    /// # Errors
+    ///
+    /// [`Unavailable::NoFormula`].
+    pub fn equations(&self, quantity: Quantity) -> Result<Vec<Equation>, Unavailable> {
+        formulas::equations(self, quantity)
+    }
+
+    /// The quantity that a path names, without its beginning (`model` or `models.<name>`).
+    ///
+    /// ```
+    /// use vibank::expr::{Expr, Name};
+    /// use vibank::mechanics::{Coordinate, Definition, Model, Quantity};
+    /// let model = Model::derive(Definition {
+    ///     coordinates: vec![Coordinate::length("x1"), Coordinate::length("x2")],
+    ///     kinetic: Expr::read("1/2*m*(x1'^2 + x2'^2)")?,
+    ///     ..Definition::default()
+    /// })
+    /// .unwrap();
+    /// let path = ["motion", "x2"].map(Name::from);
+    /// assert_eq!(model.quantity(&path)?, Quantity::Motion(1));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    ///
+    /// A name that is not a quantity of this model, or a coordinate that is missing or unknown.
+    pub fn quantity(&self, path: &[Name]) -> Result<Quantity, QuantityError> {
+        Quantity::of(self, path)
+    }
+
+    /// The lines of a derivation in letters; none for [`Way::TurningPoints`], which needs numbers. For [`Way::Static`] see
+    /// `Model::statics`, which needs a second model.
+    ///
+    /// # Errors
+    ///
+    /// [`Unavailable::NoFormula`] where an equation has no closed form, [`Unavailable::SeveralCoordinates`], and what stands in the
+    /// way of calculating with the formulas.
+    pub fn derivation(&self, way: Way) -> Result<Vec<Step>, Unavailable> {
+        steps::derivation(self, way)
+    }
+
+    /// The lines of the balance at rest of a model with weights and pre-stretches, and of what is left of it in motion,
+    /// which has to be `reduced`, the model without them. `letters` says what its letters for static stretches stand for.
+    ///
+    /// # Errors
+    ///
+    /// [`Unavailable::NotAtRest`] if forces are left at rest, [`Unavailable::NothingStatic`] if none are balanced,
+    /// [`Unavailable::AnotherMotion`] if the motion is not that of `reduced`, and what stands in the way of calculating with the
+    /// formulas.
+    pub(crate) fn statics(
+        &self,
+        reduced: &Self,
+        letters: &Letters,
+    ) -> Result<Vec<Step>, Unavailable> {
+        steps::statics(self, reduced, letters)
+    }
+
+    /// Proves that the laws of the bodies are the equations of the energies: for each coordinate the sum over the bodies
+    /// of ∂(move)/∂q times (inertia − forces) is the left side of Lagrange's equation, and no force of constraint is left.
+    ///
+    /// # Errors
+    ///
+    /// What does not agree.
+    pub(crate) fn prove_newton(&self) -> Result<(), NewtonError> {
+        steps::prove_newton(self)
+    }
+
+    /// Whether a quantity can exist: most need an equilibrium.
+    ///
+    /// # Errors
+    ///
+    /// [`ModelError::NoEquilibrium`].
+    pub fn check(&self, quantity: Quantity) -> Result<(), ModelError> {
+        match &self.equilibrium {
+            Equilibrium::Missing(name) if quantity.needs_rest() => Err(ModelError::NoEquilibrium {
+                name: name.clone(),
+                span: self.definition.potential.span(),
+            }),
+            _ => Ok(()),
+        }
+    }
 }
 
 fn friction(
@@ -294,8 +389,8 @@ fn friction(
 ) -> Result<Vec<Option<Friction>>, ModelError> {
     let mut all = vec![None; definition.coordinates.len()];
     for (name, friction) in &definition.friction {
-        let at = position(definition, name, Key::Friction, &friction.kinetic)?;
-        let apply = |formula: &Expr| kinematics.apply(Key::Friction, formula);
+        let at = position(definition, name, DefinitionKey::Friction, &friction.kinetic)?;
+        let apply = |formula: &Expr| kinematics.apply(DefinitionKey::Friction, formula);
         all[at] = Some(Friction {
             kinetic: apply(&friction.kinetic)?,
             holding: friction.holding.as_ref().map(apply).transpose()?,
@@ -311,10 +406,10 @@ fn initial(definition: &Definition, kinematics: &Kinematics) -> Result<Vec<Initi
     };
     let mut all = vec![at_rest; definition.coordinates.len()];
     for (name, initial) in &definition.initial {
-        let at = position(definition, name, Key::Initial, &initial.position)?;
+        let at = position(definition, name, DefinitionKey::Initial, &initial.position)?;
         all[at] = Initial {
-            position: kinematics.apply(Key::Initial, &initial.position)?,
-            velocity: kinematics.apply(Key::Initial, &initial.velocity)?,
+            position: kinematics.apply(DefinitionKey::Initial, &initial.position)?,
+            velocity: kinematics.apply(DefinitionKey::Initial, &initial.velocity)?,
         };
     }
     Ok(all)

@@ -2,10 +2,9 @@
 
 use thiserror::Error;
 
-use super::equilibrium::Equilibrium;
-use super::numbers::{Frictional, Motion, Numbers, Sdof};
-use super::{Model, ModelError, Unavailable};
-use crate::expr::{Name, Value};
+use super::Model;
+use super::numbers::{Frictional, Sdof};
+use crate::expr::Name;
 use crate::source::nearest;
 
 /// A quantity of a model; coordinates are counted from 0.
@@ -212,7 +211,7 @@ const TABLE: &[(&str, QuantityRow)] = &[
 
 impl Quantity {
     /// Whether it has a meaning only about an equilibrium.
-    fn needs_rest(self) -> bool {
+    pub(crate) fn needs_rest(self) -> bool {
         !matches!(
             self,
             Self::Kinetic
@@ -227,34 +226,13 @@ impl Quantity {
                 | Self::Sdof(Sdof::Mass | Sdof::Damping | Sdof::Stiffness)
         )
     }
-}
 
-impl Model {
     /// The names of all quantities.
-    pub fn quantity_names() -> impl Iterator<Item = &'static str> {
+    pub fn names() -> impl Iterator<Item = &'static str> {
         TABLE.iter().map(|row| row.0)
     }
 
-    /// The quantity that a path names, without its beginning (`model` or `models.<name>`).
-    ///
-    /// ```
-    /// use vibank::expr::{Expr, Name};
-    /// use vibank::mechanics::{Coordinate, Definition, Model, Quantity};
-    /// let model = Model::derive(Definition {
-    ///     coordinates: vec![Coordinate::length("x1"), Coordinate::length("x2")],
-    ///     kinetic: Expr::read("1/2*m*(x1'^2 + x2'^2)")?,
-    ///     ..Definition::default()
-    /// })
-    /// .unwrap();
-    /// let path = ["motion", "x2"].map(Name::from);
-    /// assert_eq!(model.quantity(&path)?, Quantity::Motion(1));
-    /// # Ok::<(), Box<dyn std::error::Error>>(())
-    /// ```
-    ///
-    /// # Errors
-    ///
-    /// A name that is not a quantity of this model, or a coordinate that is missing or unknown.
-    pub fn quantity(&self, path: &[Name]) -> Result<Quantity, QuantityError> {
+    pub(crate) fn of(model: &Model, path: &[Name]) -> Result<Self, QuantityError> {
         let (name, coordinates) = match path {
             [name, rest @ ..] => (name, rest),
             [] => (&Name::new(""), path),
@@ -266,12 +244,12 @@ impl Model {
                 nearest: nearest(name.as_str(), TABLE.iter().map(|row| row.0)),
             });
         };
-        let [only_or_first, others @ ..] = self.coordinates() else {
+        let [only_or_first, others @ ..] = model.coordinates() else {
             return Err(QuantityError::NotACoordinate { name: name.clone() });
         };
         let is_single = others.is_empty();
         let named = |own: &Name| {
-            let mut coordinates = self.coordinates().iter();
+            let mut coordinates = model.coordinates().iter();
             let at = coordinates.position(|coordinate| coordinate == own);
             at.ok_or_else(|| QuantityError::NotACoordinate { name: own.clone() })
         };
@@ -298,67 +276,6 @@ impl Model {
                 name: name.clone(),
                 first: only_or_first.clone(),
             }),
-        }
-    }
-
-    /// Whether a quantity can exist: most need an equilibrium.
-    ///
-    /// # Errors
-    ///
-    /// [`ModelError::NoEquilibrium`].
-    pub fn check(&self, quantity: Quantity) -> Result<(), ModelError> {
-        match &self.equilibrium {
-            Equilibrium::Missing(name) if quantity.needs_rest() => Err(ModelError::NoEquilibrium {
-                name: name.clone(),
-                span: self.definition.potential.span(),
-            }),
-            _ => Ok(()),
-        }
-    }
-}
-
-impl Numbers {
-    /// The value of a quantity that is a number, or several.
-    ///
-    /// # Errors
-    ///
-    /// Why it has none; [`Unavailable::NoNumber`] for formulas, equations and functions of time.
-    pub fn value_of(&self, quantity: Quantity) -> Result<Value, Unavailable> {
-        Ok(match quantity {
-            Quantity::MassMatrix => self.mass_matrix()?.clone(),
-            Quantity::DampingMatrix => self.damping_matrix()?.clone(),
-            Quantity::StiffnessMatrix => self.stiffness_matrix()?.clone(),
-            Quantity::Equilibrium(at) | Quantity::StaticDeflection(at) => {
-                self.equilibrium_value(at)?
-            }
-            Quantity::Equilibria => self.equilibria_value()?,
-            Quantity::Stable => self.stable_value()?,
-            Quantity::Sdof(single) => self.single(single)?,
-            Quantity::NaturalAngularFrequencies => self.natural_angular_frequencies()?,
-            Quantity::Multiplicities => self.multiplicities()?,
-            Quantity::ModeShapes => self.mode_shapes()?,
-            Quantity::ModalMasses => self.modal_masses()?,
-            Quantity::ModalDampingRatios => self.modal_damping_ratios()?,
-            Quantity::ModalAmplitudes => self.modal_amplitudes()?,
-            Quantity::ComplexAmplitude(at) => self.complex_amplitude_value(at)?,
-            Quantity::ExactPeriod => self.exact_period()?,
-            Quantity::Frictional(frictional) => self.frictional(frictional)?,
-            _ => return Err(Unavailable::NoNumber),
-        })
-    }
-
-    /// The motion that a quantity is.
-    ///
-    /// # Errors
-    ///
-    /// Why there is none; [`Unavailable::NoMotion`] for what is not a function of time.
-    pub fn motion_of(&self, quantity: Quantity) -> Result<Motion, Unavailable> {
-        match quantity {
-            Quantity::Motion(at) => self.motion(at),
-            Quantity::SteadyMotion(at) => self.steady_motion(at),
-            Quantity::Energy => self.energy(),
-            Quantity::ExactMotion => self.exact_motion(),
-            _ => Err(Unavailable::NoMotion),
         }
     }
 }

@@ -7,7 +7,7 @@ use super::notation::Symbols;
 use crate::expr::Expr;
 use crate::figure::{Film, Head, State};
 use crate::math::Math;
-use crate::mechanics::{Motion, Numbers, Unavailable};
+use crate::mechanics::{Motion, Numbers, Quantity, Unavailable};
 use crate::message::Phrase;
 use crate::unit::{Decimal, Dimension, Unit};
 
@@ -70,92 +70,88 @@ impl CoordinateCourse {
     }
 }
 
-impl Scene<'_, '_> {
-    /// The motions that can be shown for these data.
-    pub fn runs(&self) -> Vec<Run> {
-        let figure = self.solution.template().figure.as_ref();
-        let Some(numbers) = figure.filter(|own| own.moves()).and_then(|_| self.system()) else {
-            return Vec::new();
-        };
-        let count = numbers.model().degrees_of_freedom();
-        let runs = [Run::Start, Run::Steady].into_iter();
-        let runs = runs.chain((0..count).map(Run::Mode));
-        runs.filter(|run| course(*run, &numbers).is_some())
-            .collect()
-    }
+pub(crate) fn runs(scene: &Scene<'_, '_>) -> Vec<Run> {
+    let figure = scene.solution.template().figure.as_ref();
+    let Some(numbers) = figure.filter(|own| own.moves()).and_then(|_| system(scene)) else {
+        return Vec::new();
+    };
+    let count = numbers.model().degrees_of_freedom();
+    let runs = [Run::Start, Run::Steady].into_iter();
+    let runs = runs.chain((0..count).map(Run::Mode));
+    runs.filter(|run| course(*run, &numbers).is_some())
+        .collect()
+}
 
-    /// A motion with its pictures; nothing where there is none for these data. `id` begins all identities in it.
-    pub fn moving(&self, run: Run, id: &str) -> Option<Moving> {
-        let figure = self.solution.template().figure.as_ref()?;
-        let numbers = self.system()?;
-        let course = course(run, &numbers)?;
-        let seconds = course.seconds;
-        let pictures = (PER_PERIOD * seconds / course.shortest).clamp(PICTURES.0, PICTURES.1);
-        let pictures = pictures.round() as usize;
-        let step = seconds / pictures as f64;
-        let states: Option<Vec<State>> = (0..=pictures)
-            .map(|place| {
-                let time = place as f64 * step;
-                let coordinates = course.at(time)?;
-                Some(State { coordinates, time })
-            })
-            .collect();
-        let states = states?;
-        let head = Head {
-            id,
-            title: &self.language.phrase(&Phrase::Moving),
-            description: "",
-        };
-        let film = figure.film(self, &states, &head).ok()??;
-        let coordinates = numbers.model().coordinate_dimensions();
-        let symbols = coordinates.iter();
-        let symbols =
-            symbols.map(|(name, _)| Expr::name(name.clone()).typeset(&Symbols(self.solution)));
-        let largest = |dimension: Dimension| {
-            let alike = coordinates.iter().enumerate();
-            let alike = alike.filter(|(_, (_, own))| *own == dimension);
-            let all = alike
-                .flat_map(|(place, _)| states.iter().map(move |own| own.coordinates[place].abs()));
-            all.fold(0.0_f64, f64::max)
-        };
-        let shares = coordinates
-            .iter()
-            .enumerate()
-            .map(|(place, (_, dimension))| {
-                let largest = largest(*dimension);
-                let share = |own: &State| {
-                    if largest > 0.0 {
-                        own.coordinates[place] / largest
-                    } else {
-                        0.0
-                    }
-                };
-                states.iter().map(share).collect()
-            });
-        let turns = turns(&states, step)
-            .into_iter()
-            .map(|(time, place, value)| {
-                let dimension = coordinates[place].1;
-                let value = match run {
-                    // A mode has no size.
-                    Run::Mode(_) => shown(value / largest(dimension), Dimension::PURE, self),
-                    _ => shown(value, dimension, self),
-                };
-                let time = Decimal::rounded(time, 3).unwrap_or(Decimal::ZERO);
-                (time.to_string(), place, value)
-            });
-        Some(Moving {
-            turns: turns.collect(),
-            shares: shares.collect(),
-            symbols: symbols.collect(),
-            film,
-            seconds,
+pub(crate) fn moving(scene: &Scene<'_, '_>, run: Run, id: &str) -> Option<Moving> {
+    let figure = scene.solution.template().figure.as_ref()?;
+    let numbers = system(scene)?;
+    let course = course(run, &numbers)?;
+    let seconds = course.seconds;
+    let pictures = (PER_PERIOD * seconds / course.shortest).clamp(PICTURES.0, PICTURES.1);
+    let pictures = pictures.round() as usize;
+    let step = seconds / pictures as f64;
+    let states: Option<Vec<State>> = (0..=pictures)
+        .map(|place| {
+            let time = place as f64 * step;
+            let coordinates = course.at(time)?;
+            Some(State { coordinates, time })
         })
-    }
+        .collect();
+    let states = states?;
+    let head = Head {
+        id,
+        title: &scene.language.phrase(&Phrase::Moving),
+        description: "",
+    };
+    let film = figure.film(scene, &states, &head).ok()??;
+    let coordinates = numbers.model().coordinate_dimensions();
+    let symbols = coordinates.iter();
+    let symbols =
+        symbols.map(|(name, _)| Expr::name(name.clone()).typeset(&Symbols(scene.solution)));
+    let largest = |dimension: Dimension| {
+        let alike = coordinates.iter().enumerate();
+        let alike = alike.filter(|(_, (_, own))| *own == dimension);
+        let all =
+            alike.flat_map(|(place, _)| states.iter().map(move |own| own.coordinates[place].abs()));
+        all.fold(0.0_f64, f64::max)
+    };
+    let shares = coordinates
+        .iter()
+        .enumerate()
+        .map(|(place, (_, dimension))| {
+            let largest = largest(*dimension);
+            let share = |own: &State| {
+                if largest > 0.0 {
+                    own.coordinates[place] / largest
+                } else {
+                    0.0
+                }
+            };
+            states.iter().map(share).collect()
+        });
+    let turns = turns(&states, step)
+        .into_iter()
+        .map(|(time, place, value)| {
+            let dimension = coordinates[place].1;
+            let value = match run {
+                // A mode has no size.
+                Run::Mode(_) => shown(value / largest(dimension), Dimension::PURE, scene),
+                _ => shown(value, dimension, scene),
+            };
+            let time = Decimal::rounded(time, 3).unwrap_or(Decimal::ZERO);
+            (time.to_string(), place, value)
+        });
+    Some(Moving {
+        turns: turns.collect(),
+        shares: shares.collect(),
+        symbols: symbols.collect(),
+        film,
+        seconds,
+    })
+}
 
-    fn system(&self) -> Option<Rc<Numbers>> {
-        self.solution.evaluation().model("model")
-    }
+fn system(scene: &Scene<'_, '_>) -> Option<Rc<Numbers>> {
+    scene.solution.evaluation().model("model")
 }
 
 /// A motion with what has to be known to show it; nothing where there is none.
@@ -180,13 +176,13 @@ fn course(run: Run, numbers: &Numbers) -> Option<CoordinateCourse> {
             let frequency = modes.natural_angular_frequency(mode)?;
             let shortest = vibrates(frequency).then(|| period(frequency))?;
             Some(CoordinateCourse {
-                motions: motions(&|place| numbers.mode_motion(mode, place))?,
+                motions: motions(&|place| Motion::of_mode(numbers, mode, place))?,
                 seconds: LOOPS * shortest,
                 shortest,
             })
         }
         Run::Steady if !driving.is_empty() => Some(CoordinateCourse {
-            motions: motions(&|place| numbers.steady_motion(place))?,
+            motions: motions(&|place| numbers.motion_of(Quantity::SteadyMotion(place)))?,
             seconds: LOOPS * period(lowest(&driving)),
             shortest: period(highest(&driving)),
         }),
@@ -206,7 +202,7 @@ fn course(run: Run, numbers: &Numbers) -> Option<CoordinateCourse> {
                 }
             }
             Some(CoordinateCourse {
-                motions: motions(&|place| numbers.motion(place))?,
+                motions: motions(&|place| numbers.motion_of(Quantity::Motion(place)))?,
                 seconds,
                 shortest: period(highest(&all)),
             })

@@ -12,58 +12,40 @@ pub(crate) struct Drive {
     pub(crate) sine: Vec<f64>,
 }
 
-impl Numbers {
-    /// The forces, one entry per angular frequency.
-    pub(crate) fn drives(&self) -> Result<&[Drive], Unavailable> {
-        let drives = self.drives.get_or_init(|| self.evaluated_drives());
-        drives.as_deref().map_err(Clone::clone)
+/// The forces of the only angular frequency.
+pub(crate) fn only(numbers: &Numbers) -> Result<&Drive, Unavailable> {
+    match numbers.drives()? {
+        [] => Err(Unavailable::NoForce),
+        [only] => Ok(only),
+        _ => Err(Unavailable::SeveralFrequencies),
     }
+}
 
-    /// The angular frequencies of what drives it, in rad/s, those of constant forces left out.
-    ///
-    /// # Errors
-    ///
-    /// [`Unavailable::NotHarmonic`], or a number that is missing.
-    pub(crate) fn driving_frequencies(&self) -> Result<Vec<f64>, Unavailable> {
-        let frequencies = self.drives()?.iter().map(|drive| drive.frequency);
-        Ok(frequencies.filter(|frequency| *frequency > 0.0).collect())
+pub(crate) fn all(numbers: &Numbers) -> Result<Vec<Drive>, Unavailable> {
+    let driving = numbers.model.evaluation.driving()?;
+    let mut drives: Vec<Drive> = Vec::new();
+    if driving.terms.is_empty() {
+        return Ok(drives);
     }
-
-    /// The forces of the only angular frequency.
-    pub(crate) fn only_drive(&self) -> Result<&Drive, Unavailable> {
-        match self.drives()? {
-            [] => Err(Unavailable::NoForce),
-            [only] => Ok(only),
-            _ => Err(Unavailable::SeveralFrequencies),
-        }
-    }
-
-    fn evaluated_drives(&self) -> Result<Vec<Drive>, Unavailable> {
-        let driving = self.model.evaluation.driving()?;
-        let mut drives: Vec<Drive> = Vec::new();
-        if driving.terms.is_empty() {
-            return Ok(drives);
-        }
-        let numbers = self.value(&driving.numbers, &[])?;
-        let size = self.model.degrees_of_freedom();
-        for (term, numbers) in driving.terms.iter().zip(numbers.numbers().chunks_exact(3)) {
-            let [factor, frequency, phase] = [numbers[0], numbers[1], numbers[2]];
-            let (cosine, sine) = cosine_and_sine(factor, frequency, phase, term.is_sine);
-            let frequency = frequency.abs();
-            let known = drives.iter().position(|own| own.frequency == frequency);
-            let at = known.unwrap_or_else(|| {
-                drives.push(Drive {
-                    frequency,
-                    cosine: vec![0.0; size],
-                    sine: vec![0.0; size],
-                });
-                drives.len() - 1
+    let values = numbers.value(&driving.numbers, &[])?;
+    let size = numbers.model.degrees_of_freedom();
+    for (term, own) in driving.terms.iter().zip(values.numbers().chunks_exact(3)) {
+        let [factor, frequency, phase] = [own[0], own[1], own[2]];
+        let (cosine, sine) = cosine_and_sine(factor, frequency, phase, term.is_sine);
+        let frequency = frequency.abs();
+        let known = drives.iter().position(|own| own.frequency == frequency);
+        let at = known.unwrap_or_else(|| {
+            drives.push(Drive {
+                frequency,
+                cosine: vec![0.0; size],
+                sine: vec![0.0; size],
             });
-            drives[at].cosine[term.equation] += cosine;
-            drives[at].sine[term.equation] += sine;
-        }
-        Ok(drives)
+            drives.len() - 1
+        });
+        drives[at].cosine[term.equation] += cosine;
+        drives[at].sine[term.equation] += sine;
     }
+    Ok(drives)
 }
 
 /// The factors of cos Ωt and sin Ωt in a harmonic with a phase; Ω is taken positive.

@@ -22,175 +22,163 @@ const STEPS_OF_A_TURN: i32 = 720;
 /// Bound on the error of a fraction of a turn in double-double.
 const PI_ERROR: f64 = 1e-31;
 
-impl Numbers {
-    /// The equilibrium about which the model is linearized.
-    ///
-    /// # Errors
-    ///
-    /// [`Unavailable::NoEquilibrium`], [`Unavailable::NotAtRest`] for a stated position that is none, or a number that
-    /// is missing.
-    pub fn equilibrium(&self) -> Result<&[f64], Unavailable> {
-        let position = self.position.get_or_init(|| self.found_position());
-        position.as_deref().map_err(Clone::clone)
+/// All equilibria of the single coordinate, ascending; of an angle those in (−π, π].
+///
+/// # Errors
+///
+/// [`Unavailable::SeveralCoordinates`], and those of [`Numbers::equilibrium`].
+pub(crate) fn equilibria(numbers: &Numbers) -> Result<Vec<f64>, Unavailable> {
+    let [coordinate] = numbers.model.definition.coordinates.as_slice() else {
+        return Err(Unavailable::SeveralCoordinates);
+    };
+    if !coordinate.is_angle {
+        return Ok(numbers.equilibrium()?.to_vec());
     }
-
-    /// All equilibria of the single coordinate, ascending; of an angle those in (−π, π].
-    ///
-    /// # Errors
-    ///
-    /// [`Unavailable::SeveralCoordinates`], and those of [`Self::equilibrium`].
-    pub fn equilibria(&self) -> Result<Vec<f64>, Unavailable> {
-        let [coordinate] = self.model.definition.coordinates.as_slice() else {
-            return Err(Unavailable::SeveralCoordinates);
-        };
-        if !coordinate.is_angle {
-            return Ok(self.equilibrium()?.to_vec());
+    let mut positions = Vec::new();
+    let mut last: Option<(f64, f64)> = None;
+    for step in 0..=STEPS_OF_A_TURN {
+        let share = f64::from(2 * step - STEPS_OF_A_TURN) / f64::from(STEPS_OF_A_TURN);
+        let angle = Dd::PI * share;
+        let (force, is_zero) = force_at(numbers, &[Precise::of_dd(angle, PI_ERROR)])?;
+        // The first step is −π, which is the same place as the last one.
+        if is_zero && step > 0 {
+            positions.push(angle.hi());
         }
-        let mut positions = Vec::new();
-        let mut last: Option<(f64, f64)> = None;
-        for step in 0..=STEPS_OF_A_TURN {
-            let share = f64::from(2 * step - STEPS_OF_A_TURN) / f64::from(STEPS_OF_A_TURN);
-            let angle = Dd::PI * share;
-            let (force, is_zero) = self.force_at(&[Precise::of_dd(angle, PI_ERROR)])?;
-            // The first step is −π, which is the same place as the last one.
-            if is_zero && step > 0 {
-                positions.push(angle.hi());
-            }
-            if let Some((before, _)) = last.filter(|(_, old)| old * force < 0.0 && !is_zero) {
-                let force = |at: f64| {
-                    self.force_at(&[Precise::exact(at)])
-                        .map_or(f64::NAN, |own| own.0)
-                };
-                positions.extend(bracketed_root(force, before, angle.hi(), 0.0).ok());
-            }
-            // Next to a zero that was met the sign is rounding, and would be found a second time as a change.
-            last = (!is_zero).then_some((angle.hi(), force));
+        if let Some((before, _)) = last.filter(|(_, old)| old * force < 0.0 && !is_zero) {
+            let force =
+                |at: f64| force_at(numbers, &[Precise::exact(at)]).map_or(f64::NAN, |own| own.0);
+            positions.extend(bracketed_root(force, before, angle.hi(), 0.0).ok());
         }
-        Ok(positions)
+        // Next to a zero that was met the sign is rounding, and would be found a second time as a change.
+        last = (!is_zero).then_some((angle.hi(), force));
     }
+    Ok(positions)
+}
 
-    /// Whether the equilibrium is stable: whether the potential energy has a minimum there.
-    ///
-    /// # Errors
-    ///
-    /// Those of [`Self::equilibrium`] and [`Self::modes`].
-    pub fn is_stable(&self) -> Result<bool, Unavailable> {
-        if self.model.degrees_of_freedom() == 1 {
-            return Ok(self.stiffness_matrix()?.numbers()[0] > 0.0);
+/// Whether the equilibrium is stable: whether the potential energy has a minimum there.
+///
+/// # Errors
+///
+/// Those of [`Numbers::equilibrium`] and [`Numbers::modes`].
+pub(crate) fn is_stable(numbers: &Numbers) -> Result<bool, Unavailable> {
+    if numbers.model.degrees_of_freedom() == 1 {
+        return Ok(numbers.stiffness_matrix()?.numbers()[0] > 0.0);
+    }
+    let modes = numbers.modes()?;
+    Ok(!modes.is_unstable() && modes.rigid_count() == 0)
+}
+
+/// A coordinate of the equilibrium as a value.
+///
+/// # Errors
+///
+/// Those of [`Numbers::equilibrium`].
+pub(crate) fn of_coordinate(numbers: &Numbers, coordinate: usize) -> Result<Value, Unavailable> {
+    let position = numbers.equilibrium()?[coordinate];
+    if let Some(formula) = &numbers.model.evaluation.position {
+        let value = numbers.value(formula, &[])?;
+        return Ok(Value::real(position, value.bounds()[coordinate]));
+    }
+    Ok(Value::real(position, 16.0 * f64::EPSILON * position.abs()))
+}
+
+/// [`equilibria`] as a value.
+///
+/// # Errors
+///
+/// Those of [`equilibria`].
+pub(crate) fn all_values(numbers: &Numbers) -> Result<Value, Unavailable> {
+    let positions = equilibria(numbers)?;
+    let bounds = positions.iter().map(|own| 16.0 * f64::EPSILON * own.abs());
+    let form = Form::real(Shape::Vector(positions.len()));
+    let bounds = bounds.collect();
+    Value::new(form, positions, bounds).ok_or(Unavailable::NoEquilibrium)
+}
+
+/// [`is_stable`] as a value.
+///
+/// # Errors
+///
+/// Those of [`is_stable`].
+pub(crate) fn stability(numbers: &Numbers) -> Result<Value, Unavailable> {
+    let stable = f64::from(u8::from(is_stable(numbers)?));
+    Value::new(Form::BOOLEAN, vec![stable], vec![0.0]).ok_or(Unavailable::NoEquilibrium)
+}
+
+/// The restoring force of a single coordinate, and whether it cannot be distinguished from zero.
+fn force_at(numbers: &Numbers, position: &[Precise]) -> Result<(f64, bool), Unavailable> {
+    let forces = numbers.value(&numbers.model.evaluation.restoring, position)?;
+    let force = forces.numbers()[0];
+    Ok((force, force.abs() <= forces.bounds()[0]))
+}
+
+pub(crate) fn position(numbers: &Numbers) -> Result<Vec<f64>, Unavailable> {
+    match (
+        &numbers.model.equilibrium,
+        &numbers.model.evaluation.position,
+    ) {
+        (Equilibrium::Stated(_), Some(formula)) => {
+            let position = numbers.value(formula, &[])?;
+            check_rest(numbers, &position)?;
+            Ok(position.numbers().to_vec())
         }
-        let modes = self.modes()?;
-        Ok(!modes.is_unstable() && modes.rigid_count() == 0)
+        (Equilibrium::Missing(_), _) => Err(Unavailable::NoEquilibrium),
+        (_, Some(formula)) => Ok(numbers.value(formula, &[])?.numbers().to_vec()),
+        _ => sought_position(numbers),
     }
+}
 
-    /// A coordinate of the equilibrium as a value.
-    ///
-    /// # Errors
-    ///
-    /// Those of [`Self::equilibrium`].
-    pub(crate) fn equilibrium_value(&self, coordinate: usize) -> Result<Value, Unavailable> {
-        let position = self.equilibrium()?[coordinate];
-        if let Some(formula) = &self.model.evaluation.position {
-            let value = self.value(formula, &[])?;
-            return Ok(Value::real(position, value.bounds()[coordinate]));
-        }
-        Ok(Value::real(position, 16.0 * f64::EPSILON * position.abs()))
-    }
-
-    /// [`Self::equilibria`] as a value.
-    ///
-    /// # Errors
-    ///
-    /// Those of [`Self::equilibria`].
-    pub(crate) fn equilibria_value(&self) -> Result<Value, Unavailable> {
-        let positions = self.equilibria()?;
-        let bounds = positions.iter().map(|own| 16.0 * f64::EPSILON * own.abs());
-        let form = Form::real(Shape::Vector(positions.len()));
-        let bounds = bounds.collect();
-        Value::new(form, positions, bounds).ok_or(Unavailable::NoEquilibrium)
-    }
-
-    /// [`Self::is_stable`] as a value.
-    ///
-    /// # Errors
-    ///
-    /// Those of [`Self::is_stable`].
-    pub(crate) fn stable_value(&self) -> Result<Value, Unavailable> {
-        let stable = f64::from(u8::from(self.is_stable()?));
-        Value::new(Form::BOOLEAN, vec![stable], vec![0.0]).ok_or(Unavailable::NoEquilibrium)
-    }
-
-    /// The restoring force of a single coordinate, and whether it cannot be distinguished from zero.
-    fn force_at(&self, position: &[Precise]) -> Result<(f64, bool), Unavailable> {
-        let forces = self.value(&self.model.evaluation.restoring, position)?;
-        let force = forces.numbers()[0];
-        Ok((force, force.abs() <= forces.bounds()[0]))
-    }
-
-    fn found_position(&self) -> Result<Vec<f64>, Unavailable> {
-        match (&self.model.equilibrium, &self.model.evaluation.position) {
-            (Equilibrium::Stated(_), Some(formula)) => {
-                let position = self.value(formula, &[])?;
-                self.check_rest(&position)?;
-                Ok(position.numbers().to_vec())
-            }
-            (Equilibrium::Missing(_), _) => Err(Unavailable::NoEquilibrium),
-            (_, Some(formula)) => Ok(self.value(formula, &[])?.numbers().to_vec()),
-            _ => self.sought_position(),
-        }
-    }
-
-    /// A stated position leaves no force beyond what its own rounding explains.
-    fn check_rest(&self, position: &Value) -> Result<(), Unavailable> {
-        let at: Vec<_> = position
-            .numbers()
+/// A stated position leaves no force beyond what its own rounding explains.
+fn check_rest(numbers: &Numbers, position: &Value) -> Result<(), Unavailable> {
+    let at: Vec<_> = position
+        .numbers()
+        .iter()
+        .copied()
+        .map(Precise::exact)
+        .collect();
+    let forces = numbers.value(&numbers.model.evaluation.restoring, &at)?;
+    let slopes = numbers.value(&numbers.model.evaluation.tangent()?.stiffness, &at)?;
+    let size = at.len();
+    for (row, name) in numbers.model.coordinates().iter().enumerate() {
+        let slopes = &slopes.numbers()[row * size..][..size];
+        let terms = slopes
             .iter()
-            .copied()
-            .map(Precise::exact)
-            .collect();
-        let forces = self.value(&self.model.evaluation.restoring, &at)?;
-        let slopes = self.value(&self.model.evaluation.tangent()?.stiffness, &at)?;
-        let size = at.len();
-        for (row, name) in self.model.coordinates().iter().enumerate() {
-            let slopes = &slopes.numbers()[row * size..][..size];
-            let terms = slopes
-                .iter()
-                .zip(position.numbers().iter().zip(position.bounds()));
-            let rounding: f64 = terms
-                .map(|(slope, (at, bound))| slope.abs() * (bound + 4.0 * f64::EPSILON * at.abs()))
-                .sum();
-            // Bounds add up the worst of each rounding, but the position was rounded to `f64` besides.
-            if forces.numbers()[row].abs() > 4.0 * (rounding + forces.bounds()[row]) {
-                return Err(Unavailable::NotAtRest {
-                    coordinate: name.clone(),
-                });
-            }
+            .zip(position.numbers().iter().zip(position.bounds()));
+        let rounding: f64 = terms
+            .map(|(slope, (at, bound))| slope.abs() * (bound + 4.0 * f64::EPSILON * at.abs()))
+            .sum();
+        // Bounds add up the worst of each rounding, but the position was rounded to `f64` besides.
+        if forces.numbers()[row].abs() > 4.0 * (rounding + forces.bounds()[row]) {
+            return Err(Unavailable::NotAtRest {
+                coordinate: name.clone(),
+            });
         }
-        Ok(())
     }
+    Ok(())
+}
 
-    /// Newton's method from zero, each step halved until the forces get smaller.
-    fn sought_position(&self) -> Result<Vec<f64>, Unavailable> {
-        let size = self.model.degrees_of_freedom();
-        let mut at = Trial::of(self, DVector::zeros(size))?;
-        for _ in 0..MAX_STEPS {
-            if at.is_at_rest() {
-                return Ok(at.position.as_slice().to_vec());
-            }
-            let step = at.newton_step().ok_or(Unavailable::NoEquilibrium)?;
-            let Some(next) = at.after(self, &step) else {
-                // No shorter step helps: either nothing but rounding is left, or there is no way on.
-                let is_tiny = step.amax() <= 64.0 * f64::EPSILON * at.position.amax();
-                let position = at.position.as_slice().to_vec();
-                return if is_tiny {
-                    Ok(position)
-                } else {
-                    Err(Unavailable::NoEquilibrium)
-                };
-            };
-            at = next;
+/// Newton's method from zero, each step halved until the forces get smaller.
+fn sought_position(numbers: &Numbers) -> Result<Vec<f64>, Unavailable> {
+    let size = numbers.model.degrees_of_freedom();
+    let mut at = Trial::of(numbers, DVector::zeros(size))?;
+    for _ in 0..MAX_STEPS {
+        if at.is_at_rest() {
+            return Ok(at.position.as_slice().to_vec());
         }
-        Err(Unavailable::NoEquilibrium)
+        let step = at.newton_step().ok_or(Unavailable::NoEquilibrium)?;
+        let Some(next) = at.after(numbers, &step) else {
+            // No shorter step helps: either nothing but rounding is left, or there is no way on.
+            let is_tiny = step.amax() <= 64.0 * f64::EPSILON * at.position.amax();
+            let position = at.position.as_slice().to_vec();
+            return if is_tiny {
+                Ok(position)
+            } else {
+                Err(Unavailable::NoEquilibrium)
+            };
+        };
+        at = next;
     }
+    Err(Unavailable::NoEquilibrium)
 }
 
 /// A position with the forces there.

@@ -1,6 +1,6 @@
 //! Dry friction along a single coordinate.
 
-use super::{Motion, Numbers, Unavailable};
+use super::{Motion, Numbers, Unavailable, single};
 use crate::expr::{Form, Name, Precise, Value};
 use crate::numerics::ExactNumber;
 use crate::unit::Dimension;
@@ -38,113 +38,106 @@ pub struct TurningPoints {
     pub dimension: Dimension,
 }
 
-impl Numbers {
-    /// The turning points of the motion from the initial state, `most` of them at most.
-    ///
-    /// # Errors
-    ///
-    /// As for `frictional`.
-    pub fn turning_points(&self, most: usize) -> Result<TurningPoints, Unavailable> {
-        let motion = self.friction_motion()?;
-        let coordinate = &self.model.definition.coordinates[0];
-        Ok(TurningPoints {
-            coordinate: coordinate.name.clone(),
-            dimension: coordinate.dimension,
-            points: motion.turning_points().take(most).collect(),
-            first: usize::from(!motion.is_released()),
-            holding: self.friction_forces()?.numbers()[1],
-        })
-    }
+pub(crate) fn turning_points(numbers: &Numbers, most: usize) -> Result<TurningPoints, Unavailable> {
+    let motion = friction_motion(numbers)?;
+    let coordinate = &numbers.model.definition.coordinates[0];
+    Ok(TurningPoints {
+        coordinate: coordinate.name.clone(),
+        dimension: coordinate.dimension,
+        points: motion.turning_points().take(most).collect(),
+        first: usize::from(!motion.is_released()),
+        holding: friction_forces(numbers)?.numbers()[1],
+    })
+}
 
-    /// A number about the motion with dry friction from the initial state.
-    ///
-    /// # Errors
-    ///
-    /// [`Unavailable::NoFriction`], [`Unavailable::Endless`] if it never rests, and those of [`Self::equilibrium`].
-    pub(crate) fn frictional(&self, quantity: Frictional) -> Result<Value, Unavailable> {
-        let motion = self.friction_motion()?;
-        let slides = motion.slides();
-        Ok(match quantity {
-            Frictional::HalfCycles => Value::real(slides.ok_or(Unavailable::Endless)? as f64, 0.0),
-            Frictional::Slides => {
-                let slides = f64::from(u8::from(slides != Some(0)));
-                Value::new(Form::BOOLEAN, vec![slides], vec![0.0]).ok_or(Unavailable::Endless)?
-            }
-            Frictional::StopTime => self.finite(motion.stop_time())?,
-            Frictional::RestPosition => {
-                self.finite(motion.rest_position().ok_or(Unavailable::Endless)?)?
-            }
-            Frictional::PathLength => self.finite(motion.path_length())?,
-            Frictional::DissipatedEnergy => self.finite(motion.dissipated_energy())?,
-        })
-    }
-
-    /// The motion with dry friction.
-    pub(crate) fn friction_path(&self) -> Result<Motion, Unavailable> {
-        let path = Box::new(self.friction_motion()?.path());
-        let matrices = self.matrices()?;
-        let [mass, damping, stiffness] =
-            [&matrices.mass, &matrices.damping, &matrices.stiffness].map(|own| own.numbers()[0]);
-        Ok(Motion::of_friction(
-            path,
-            SlidingForces {
-                mass,
-                damping,
-                stiffness,
-                friction: self.friction_forces()?.numbers()[0],
-                constant: self.constant_force()?,
-            },
-        ))
-    }
-
-    fn friction_motion(&self) -> Result<FrictionMotion, Unavailable> {
-        if !self.drives()?.is_empty() {
-            return Err(Unavailable::Forced);
+/// A number about the motion with dry friction from the initial state.
+///
+/// # Errors
+///
+/// [`Unavailable::NoFriction`], [`Unavailable::Endless`] if it never rests, and those of [`Numbers::equilibrium`].
+pub(crate) fn number(numbers: &Numbers, quantity: Frictional) -> Result<Value, Unavailable> {
+    let motion = friction_motion(numbers)?;
+    let slides = motion.slides();
+    Ok(match quantity {
+        Frictional::HalfCycles => Value::real(slides.ok_or(Unavailable::Endless)? as f64, 0.0),
+        Frictional::Slides => {
+            let slides = f64::from(u8::from(slides != Some(0)));
+            Value::new(Form::BOOLEAN, vec![slides], vec![0.0]).ok_or(Unavailable::Endless)?
         }
-        let forces = self.friction_forces()?;
-        let matrices = self.matrices()?;
-        let on_paper = |number: f64| ExactNumber::on_paper(number).ok_or(Unavailable::Endless);
-        let entry = |value: &Value| on_paper(value.numbers()[0]);
-        let friction = DryFriction::of_forces(
-            on_paper(forces.numbers()[0])?,
-            on_paper(forces.numbers()[1])?,
-        );
-        let oscillator = FrictionOscillator::new(
-            entry(&matrices.mass)?,
-            entry(&matrices.damping)?,
-            entry(&matrices.stiffness)?,
-            friction,
-        )?;
-        let oscillator = oscillator.with_force(on_paper(self.constant_force()?)?)?;
-        let start = self.start()?[0];
-        Ok(oscillator.motion(on_paper(start.position)?, on_paper(start.velocity)?)?)
-    }
-
-    /// Kinetic and largest static friction.
-    fn friction_forces(&self) -> Result<Value, Unavailable> {
-        let forces = self
-            .model
-            .evaluation
-            .sticking
-            .as_ref()
-            .ok_or(Unavailable::NoFriction)?;
-        self.value(forces, &[])
-    }
-
-    /// The force on the coordinate at its origin.
-    fn constant_force(&self) -> Result<f64, Unavailable> {
-        let origin = [Precise::exact(0.0)];
-        Ok(-self
-            .value(&self.model.evaluation.restoring, &origin)?
-            .numbers()[0])
-    }
-
-    fn finite(&self, number: f64) -> Result<Value, Unavailable> {
-        if number.is_finite() {
-            Ok(self.with_relative_bound(number))
-        } else {
-            Err(Unavailable::Endless)
+        Frictional::StopTime => finite(numbers, motion.stop_time())?,
+        Frictional::RestPosition => {
+            finite(numbers, motion.rest_position().ok_or(Unavailable::Endless)?)?
         }
+        Frictional::PathLength => finite(numbers, motion.path_length())?,
+        Frictional::DissipatedEnergy => finite(numbers, motion.dissipated_energy())?,
+    })
+}
+
+/// The motion with dry friction.
+pub(crate) fn motion(numbers: &Numbers) -> Result<Motion, Unavailable> {
+    let path = Box::new(friction_motion(numbers)?.path());
+    let matrices = numbers.matrices()?;
+    let [mass, damping, stiffness] =
+        [&matrices.mass, &matrices.damping, &matrices.stiffness].map(|own| own.numbers()[0]);
+    Ok(Motion::of_friction(
+        path,
+        SlidingForces {
+            mass,
+            damping,
+            stiffness,
+            friction: friction_forces(numbers)?.numbers()[0],
+            constant: constant_force(numbers)?,
+        },
+    ))
+}
+
+fn friction_motion(numbers: &Numbers) -> Result<FrictionMotion, Unavailable> {
+    if !numbers.drives()?.is_empty() {
+        return Err(Unavailable::Forced);
+    }
+    let forces = friction_forces(numbers)?;
+    let matrices = numbers.matrices()?;
+    let on_paper = |number: f64| ExactNumber::on_paper(number).ok_or(Unavailable::Endless);
+    let entry = |value: &Value| on_paper(value.numbers()[0]);
+    let friction = DryFriction::of_forces(
+        on_paper(forces.numbers()[0])?,
+        on_paper(forces.numbers()[1])?,
+    );
+    let oscillator = FrictionOscillator::new(
+        entry(&matrices.mass)?,
+        entry(&matrices.damping)?,
+        entry(&matrices.stiffness)?,
+        friction,
+    )?;
+    let oscillator = oscillator.with_force(on_paper(constant_force(numbers)?)?)?;
+    let start = numbers.start()?[0];
+    Ok(oscillator.motion(on_paper(start.position)?, on_paper(start.velocity)?)?)
+}
+
+/// Kinetic and largest static friction.
+fn friction_forces(numbers: &Numbers) -> Result<Value, Unavailable> {
+    let forces = numbers
+        .model
+        .evaluation
+        .sticking
+        .as_ref()
+        .ok_or(Unavailable::NoFriction)?;
+    numbers.value(forces, &[])
+}
+
+/// The force on the coordinate at its origin.
+fn constant_force(numbers: &Numbers) -> Result<f64, Unavailable> {
+    let origin = [Precise::exact(0.0)];
+    Ok(-numbers
+        .value(&numbers.model.evaluation.restoring, &origin)?
+        .numbers()[0])
+}
+
+fn finite(numbers: &Numbers, number: f64) -> Result<Value, Unavailable> {
+    if number.is_finite() {
+        Ok(single::with_relative_bound(numbers, number))
+    } else {
+        Err(Unavailable::Endless)
     }
 }
 

@@ -1,6 +1,6 @@
 //! The general solution of the linearized equations, with free constants.
 
-use super::{Numbers, Unavailable};
+use super::{Numbers, Unavailable, modal, steady};
 use crate::expr::{Expr, Function, Kind, Operator};
 use crate::numerics::Rational;
 
@@ -22,59 +22,50 @@ enum ModeCourse {
     Creeping { rates: [f64; 2] },
 }
 
-impl Numbers {
-    /// Each coordinate as a formula in `t` with the free constants `A` and `B` (`A1`, `B1`, … of several
-    /// modes): the equilibrium, the steady state and the free motion. Numbers are in SI units, to six
-    /// significant digits.
-    ///
-    /// # Errors
-    ///
-    /// [`Unavailable::Unstable`], [`Unavailable::CoupledDamping`], [`Unavailable::NotHarmonic`], [`Unavailable::Resonance`].
-    pub fn general_motion(&self) -> Result<Vec<Expr>, Unavailable> {
-        let size = self.model.degrees_of_freedom();
-        let mut sums: Vec<Vec<(f64, Expr)>> = vec![Vec::new(); size];
-        self.add_modes(&mut sums)?;
-        for drive in self.drives()? {
-            let amplitudes = self.amplitudes(drive)?;
-            let angle = || timed(drive.frequency);
-            for (sum, amplitude) in sums.iter_mut().zip(amplitudes) {
-                sum.push((amplitude.re, Expr::call(Function::Cos, [angle()])));
-                sum.push((-amplitude.im, Expr::call(Function::Sin, [angle()])));
-            }
+pub(crate) fn motion(numbers: &Numbers) -> Result<Vec<Expr>, Unavailable> {
+    let size = numbers.model.degrees_of_freedom();
+    let mut sums: Vec<Vec<(f64, Expr)>> = vec![Vec::new(); size];
+    add_modes(numbers, &mut sums)?;
+    for drive in numbers.drives()? {
+        let amplitudes = steady::amplitudes(numbers, drive)?;
+        let angle = || timed(drive.frequency);
+        for (sum, amplitude) in sums.iter_mut().zip(amplitudes) {
+            sum.push((amplitude.re, Expr::call(Function::Cos, [angle()])));
+            sum.push((-amplitude.im, Expr::call(Function::Sin, [angle()])));
         }
-        for (sum, rest) in sums.iter_mut().zip(self.equilibrium()?) {
-            sum.push((*rest, Expr::number(1)));
-        }
-        Ok(sums.iter().map(|sum| written_sum(sum)).collect())
     }
+    for (sum, rest) in sums.iter_mut().zip(numbers.equilibrium()?) {
+        sum.push((*rest, Expr::number(1)));
+    }
+    Ok(sums.iter().map(|sum| written_sum(sum)).collect())
+}
 
-    fn add_modes(&self, sums: &mut [Vec<(f64, Expr)>]) -> Result<(), Unavailable> {
-        let modes = self.modes()?;
-        let dampings = self.modal_dampings()?;
-        for (mode, damping) in dampings.into_iter().enumerate() {
-            let frequency = modes
-                .natural_angular_frequency(mode)
-                .ok_or(Unavailable::Unstable)?;
-            let index = if modes.count() == 1 {
-                String::new()
-            } else {
-                (mode + 1).to_string()
-            };
-            let motion = course(frequency, damping).written(&index);
-            let shape = modes.mode_shape(mode);
-            let largest = shape
-                .iter()
-                .fold(0.0, |largest: f64, own| largest.max(own.abs()));
-            let is_something = |own: &&f64| own.abs() > NOTHING * largest;
-            let first = shape.iter().find(is_something).copied().unwrap_or(1.0);
-            for (sum, component) in sums.iter_mut().zip(&shape) {
-                if is_something(&component) {
-                    sum.push((component / first, motion.clone()));
-                }
+fn add_modes(numbers: &Numbers, sums: &mut [Vec<(f64, Expr)>]) -> Result<(), Unavailable> {
+    let modes = numbers.modes()?;
+    let dampings = modal::dampings(numbers)?;
+    for (mode, damping) in dampings.into_iter().enumerate() {
+        let frequency = modes
+            .natural_angular_frequency(mode)
+            .ok_or(Unavailable::Unstable)?;
+        let index = if modes.count() == 1 {
+            String::new()
+        } else {
+            (mode + 1).to_string()
+        };
+        let motion = course(frequency, damping).written(&index);
+        let shape = modes.mode_shape(mode);
+        let largest = shape
+            .iter()
+            .fold(0.0, |largest: f64, own| largest.max(own.abs()));
+        let is_something = |own: &&f64| own.abs() > NOTHING * largest;
+        let first = shape.iter().find(is_something).copied().unwrap_or(1.0);
+        for (sum, component) in sums.iter_mut().zip(&shape) {
+            if is_something(&component) {
+                sum.push((component / first, motion.clone()));
             }
         }
-        Ok(())
     }
+    Ok(())
 }
 
 /// The free motion of a mode with `p'' + c p' + ω² p = 0`.

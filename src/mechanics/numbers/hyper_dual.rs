@@ -35,76 +35,62 @@ impl Inputs<HyperDual> for Seeded<'_> {
     }
 }
 
-impl Numbers {
-    /// The matrices about the equilibrium, by exact second derivatives of the energies as they are
-    /// written, at time zero.
-    ///
-    /// ```text
-    /// M_ij = ∂²T/∂q'_i ∂q'_j
-    /// C_ij = ∂²D/∂q'_i ∂q'_j + ∂²T/∂q'_i ∂q_j − ∂²T/∂q_i ∂q'_j − ∂Q_i/∂q'_j
-    /// K_ij = ∂²V/∂q_i ∂q_j − ∂²T/∂q_i ∂q_j − ∂Q_i/∂q_j
-    /// ```
-    ///
-    /// # Errors
-    ///
-    /// Those of [`Self::equilibrium`], or an operation without value.
-    pub fn linearization(&self) -> Result<Linearization, Unavailable> {
-        let size = self.model.degrees_of_freedom();
-        let position: Vec<_> = self
-            .equilibrium()?
-            .iter()
-            .copied()
-            .map(Precise::exact)
-            .collect();
-        let mut kernel = Kernel {
-            numbers: self,
-            position: &position,
-            room: Registers::default(),
-        };
-        let entries = || vec![0.0; size * size];
-        let (mut mass, mut damping, mut stiffness) = (entries(), entries(), entries());
-        let written = &self.model.evaluation.written;
-        for row in 0..size {
-            for column in 0..size {
-                let (at, mirrored) = (row * size + column, column * size + row);
-                let [q, v] = [row, row + size].map(|own| self.slot(own));
-                let [other_q, other_v] = [column, column + size].map(|own| self.slot(own));
-                // What is gyroscopic enters once with each sign.
-                let mixed = kernel.second(&written.kinetic, v, other_q)?;
-                damping[at] += mixed;
-                damping[mirrored] -= mixed;
-                if let Some(force) = &written.forces[row] {
-                    let slopes = kernel.first(force, other_q, other_v)?;
-                    stiffness[at] -= slopes[0];
-                    damping[at] -= slopes[1];
-                }
-                if column < row {
-                    continue;
-                }
-                let inertia = kernel.second(&written.kinetic, v, other_v)?;
-                let viscous = kernel.second(&written.dissipation, v, other_v)?;
-                let elastic = kernel.second(&written.potential, q, other_q)?
-                    - kernel.second(&written.kinetic, q, other_q)?;
-                // Second derivatives are symmetric; on the diagonal both places are the same.
-                let places = if column == row { 1 } else { 2 };
-                for place in [at, mirrored].into_iter().take(places) {
-                    mass[place] += inertia;
-                    damping[place] += viscous;
-                    stiffness[place] += elastic;
-                }
+pub(crate) fn linearization(numbers: &Numbers) -> Result<Linearization, Unavailable> {
+    let size = numbers.model.degrees_of_freedom();
+    let position: Vec<_> = numbers
+        .equilibrium()?
+        .iter()
+        .copied()
+        .map(Precise::exact)
+        .collect();
+    let mut kernel = Kernel {
+        numbers,
+        position: &position,
+        room: Registers::default(),
+    };
+    let entries = || vec![0.0; size * size];
+    let (mut mass, mut damping, mut stiffness) = (entries(), entries(), entries());
+    let written = &numbers.model.evaluation.written;
+    for row in 0..size {
+        for column in 0..size {
+            let (at, mirrored) = (row * size + column, column * size + row);
+            let [q, v] = [row, row + size].map(|own| slot(numbers, own));
+            let [other_q, other_v] = [column, column + size].map(|own| slot(numbers, own));
+            // What is gyroscopic enters once with each sign.
+            let mixed = kernel.second(&written.kinetic, v, other_q)?;
+            damping[at] += mixed;
+            damping[mirrored] -= mixed;
+            if let Some(force) = &written.forces[row] {
+                let slopes = kernel.first(force, other_q, other_v)?;
+                stiffness[at] -= slopes[0];
+                damping[at] -= slopes[1];
+            }
+            if column < row {
+                continue;
+            }
+            let inertia = kernel.second(&written.kinetic, v, other_v)?;
+            let viscous = kernel.second(&written.dissipation, v, other_v)?;
+            let elastic = kernel.second(&written.potential, q, other_q)?
+                - kernel.second(&written.kinetic, q, other_q)?;
+            // Second derivatives are symmetric; on the diagonal both places are the same.
+            let places = if column == row { 1 } else { 2 };
+            for place in [at, mirrored].into_iter().take(places) {
+                mass[place] += inertia;
+                damping[place] += viscous;
+                stiffness[place] += elastic;
             }
         }
-        Ok(Linearization {
-            mass,
-            damping,
-            stiffness,
-        })
     }
+    Ok(Linearization {
+        mass,
+        damping,
+        stiffness,
+    })
+}
 
-    /// The slot of a coordinate, or of a velocity after them.
-    fn slot(&self, at: usize) -> u32 {
-        (self.constants.len() + at) as u32
-    }
+/// The slot of a coordinate, or of a velocity after them.
+fn slot(numbers: &Numbers, at: usize) -> u32 {
+    (numbers.constants.len() + at) as u32
 }
 
 struct Kernel<'a> {

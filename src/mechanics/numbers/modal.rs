@@ -6,7 +6,7 @@ use std::sync::Arc;
 use nalgebra::{DMatrix, DVector};
 
 use super::driving::Drive;
-use super::{Motion, Numbers, Unavailable};
+use super::{Motion, Numbers, Unavailable, matrices};
 use crate::expr::{Field, Form, Shape, Value};
 use crate::numerics::sin_cos;
 use crate::vibration::State;
@@ -92,231 +92,229 @@ impl Response {
     }
 }
 
-impl Numbers {
-    /// The natural angular frequencies, ascending.
-    ///
-    /// # Errors
-    ///
-    /// [`Unavailable::Unstable`] if one does not exist, and those of [`Self::modes`].
-    pub fn natural_angular_frequencies(&self) -> Result<Value, Unavailable> {
-        let modes = self.modes()?;
-        let frequency = |mode| {
-            modes
-                .natural_angular_frequency(mode)
-                .ok_or(Unavailable::Unstable)
-        };
-        let frequencies: Vec<_> = (0..modes.count())
-            .map(frequency)
-            .collect::<Result<_, _>>()?;
-        vector(frequencies)
-    }
+/// The natural angular frequencies, ascending.
+///
+/// # Errors
+///
+/// [`Unavailable::Unstable`] if one does not exist, and those of [`Numbers::modes`].
+pub(crate) fn natural_angular_frequencies(numbers: &Numbers) -> Result<Value, Unavailable> {
+    let modes = numbers.modes()?;
+    let frequency = |mode| {
+        modes
+            .natural_angular_frequency(mode)
+            .ok_or(Unavailable::Unstable)
+    };
+    let frequencies: Vec<_> = (0..modes.count())
+        .map(frequency)
+        .collect::<Result<_, _>>()?;
+    vector(frequencies)
+}
 
-    /// How often each natural angular frequency occurs, in their order.
-    ///
-    /// # Errors
-    ///
-    /// Those of [`Self::modes`].
-    pub fn multiplicities(&self) -> Result<Value, Unavailable> {
-        let modes = self.modes()?;
-        let clusters = modes.clusters(SAME_FREQUENCY);
-        let counts = clusters
-            .into_iter()
-            .flat_map(|own| vec![own.len() as f64; own.len()]);
-        vector(counts.collect())
-    }
+/// How often each natural angular frequency occurs, in their order.
+///
+/// # Errors
+///
+/// Those of [`Numbers::modes`].
+pub(crate) fn multiplicities(numbers: &Numbers) -> Result<Value, Unavailable> {
+    let modes = numbers.modes()?;
+    let clusters = modes.clusters(SAME_FREQUENCY);
+    let counts = clusters
+        .into_iter()
+        .flat_map(|own| vec![own.len() as f64; own.len()]);
+    vector(counts.collect())
+}
 
-    /// The mass-normalized mode shapes by rows, the first nonzero component of each positive.
-    ///
-    /// # Errors
-    ///
-    /// Those of [`Self::modes`].
-    pub fn mode_shapes(&self) -> Result<Value, Unavailable> {
-        let modes = self.modes()?;
-        let size = modes.count();
-        matrix(
-            size,
-            (0..size).flat_map(|mode| modes.mode_shape(mode)).collect(),
-        )
-    }
+/// The mass-normalized mode shapes by rows, the first nonzero component of each positive.
+///
+/// # Errors
+///
+/// Those of [`Numbers::modes`].
+pub(crate) fn mode_shapes(numbers: &Numbers) -> Result<Value, Unavailable> {
+    let modes = numbers.modes()?;
+    let size = modes.count();
+    matrix(
+        size,
+        (0..size).flat_map(|mode| modes.mode_shape(mode)).collect(),
+    )
+}
 
-    /// The modal masses `uᵀ M u` of the shapes with their first nonzero component 1.
-    ///
-    /// # Errors
-    ///
-    /// Those of [`Self::modes`].
-    pub fn modal_masses(&self) -> Result<Value, Unavailable> {
-        let modes = self.modes()?;
-        let mass = |mode| {
-            let shape = modes.mode_shape(mode);
-            let largest = shape
-                .iter()
-                .fold(0.0, |largest: f64, own| largest.max(own.abs()));
-            // A node that rounding has moved off zero must not become the unit of the shape.
-            let first = shape.iter().find(|own| own.abs() > 1e-12 * largest);
-            first.map_or(f64::NAN, |first| 1.0 / (first * first))
-        };
-        vector((0..modes.count()).map(mass).collect())
-    }
+/// The modal masses `uᵀ M u` of the shapes with their first nonzero component 1.
+///
+/// # Errors
+///
+/// Those of [`Numbers::modes`].
+pub(crate) fn masses(numbers: &Numbers) -> Result<Value, Unavailable> {
+    let modes = numbers.modes()?;
+    let mass = |mode| {
+        let shape = modes.mode_shape(mode);
+        let largest = shape
+            .iter()
+            .fold(0.0, |largest: f64, own| largest.max(own.abs()));
+        // A node that rounding has moved off zero must not become the unit of the shape.
+        let first = shape.iter().find(|own| own.abs() > 1e-12 * largest);
+        first.map_or(f64::NAN, |first| 1.0 / (first * first))
+    };
+    vector((0..modes.count()).map(mass).collect())
+}
 
-    /// The damping ratios of the modes.
-    ///
-    /// # Errors
-    ///
-    /// [`Unavailable::CoupledDamping`], [`Unavailable::Unstable`], and those of [`Self::modes`].
-    pub fn modal_damping_ratios(&self) -> Result<Value, Unavailable> {
-        let modes = self.modes()?;
-        let ratio = |(mode, damping): (usize, f64)| {
-            let frequency = modes
-                .natural_angular_frequency(mode)
-                .ok_or(Unavailable::Unstable)?;
-            match (damping == 0.0, frequency == 0.0) {
-                (true, _) => Ok(0.0),
-                (false, true) => Err(Unavailable::Singular),
-                (false, false) => Ok(damping / (2.0 * frequency)),
-            }
-        };
-        let dampings = self.modal_dampings()?.into_iter().enumerate();
-        vector(dampings.map(ratio).collect::<Result<_, _>>()?)
-    }
-
-    /// The factors of cos ω_r t and sin ω_r t of each modal coordinate in the free motion, by rows.
-    ///
-    /// # Errors
-    ///
-    /// [`Unavailable::Unstable`], and those of [`Self::modes`].
-    pub(crate) fn modal_amplitudes(&self) -> Result<Value, Unavailable> {
-        let modes = self.modes()?;
-        let states = self.modal_start(modes)?.into_iter().enumerate();
-        let row = |(mode, state): (usize, State)| {
-            let frequency = modes
-                .natural_angular_frequency(mode)
-                .ok_or(Unavailable::Unstable)?;
-            // A rigid motion has a velocity in place of the factor of the sine.
-            let sine = if frequency == 0.0 {
-                state.velocity
-            } else {
-                state.velocity / frequency
-            };
-            Ok([state.position, sine])
-        };
-        let rows: Vec<[f64; 2]> = states.map(row).collect::<Result<_, Unavailable>>()?;
-        matrix(2, rows.into_flattened())
-    }
-
-    /// The motion of a coordinate among several.
-    pub(crate) fn modal_motion(&self, coordinate: usize) -> Result<Motion, Unavailable> {
-        let response = self
-            .response
-            .get_or_init(|| self.evaluated_response().map(Arc::new));
-        Ok(Motion::of_modes(ModalMotion {
-            response: response.clone()?,
-            coordinate,
-        }))
-    }
-
-    fn evaluated_response(&self) -> Result<Response, Unavailable> {
-        let modes = self.modes()?;
-        let slowest = (0..modes.count()).filter_map(|mode| modes.natural_angular_frequency(mode));
-        let slowest = slowest
-            .filter(|rate| *rate > 0.0)
-            .fold(f64::INFINITY, f64::min);
-        let horizon = if slowest.is_finite() {
-            MAX_PERIODS * TAU / slowest
-        } else {
-            MAX_PERIODS
-        };
-        let (displacements, velocities) = self.displaced_start()?;
-        let damping = self.damping()?;
-        let still = vec![0.0; displacements.len()];
-        let mut forced = Vec::new();
-        for (at, drive) in self.drives()?.iter().enumerate() {
-            let forces = HarmonicForces {
-                cosine: &drive.cosine,
-                sine: &drive.sine,
-                angular_frequency: drive.frequency,
-            };
-            let start = if at == 0 {
-                [&displacements, &velocities]
-            } else {
-                [&still, &still]
-            };
-            let [x, v] = start;
-            let motion = ForcedModalResponse::of(modes, &damping, forces, x, v, horizon)?;
-            forced.push((drive.clone(), motion));
+/// The damping ratios of the modes.
+///
+/// # Errors
+///
+/// [`Unavailable::CoupledDamping`], [`Unavailable::Unstable`], and those of [`Numbers::modes`].
+pub(crate) fn damping_ratios(numbers: &Numbers) -> Result<Value, Unavailable> {
+    let modes = numbers.modes()?;
+    let ratio = |(mode, damping): (usize, f64)| {
+        let frequency = modes
+            .natural_angular_frequency(mode)
+            .ok_or(Unavailable::Unstable)?;
+        match (damping == 0.0, frequency == 0.0) {
+            (true, _) => Ok(0.0),
+            (false, true) => Err(Unavailable::Singular),
+            (false, false) => Ok(damping / (2.0 * frequency)),
         }
-        let free = if forced.is_empty() {
-            Some(ModalResponse::of(
-                modes,
-                &damping,
-                &displacements,
-                &velocities,
-                horizon,
-            )?)
+    };
+    let dampings = dampings(numbers)?.into_iter().enumerate();
+    vector(dampings.map(ratio).collect::<Result<_, _>>()?)
+}
+
+/// The factors of cos ω_r t and sin ω_r t of each modal coordinate in the free motion, by rows.
+///
+/// # Errors
+///
+/// [`Unavailable::Unstable`], and those of [`Numbers::modes`].
+pub(crate) fn amplitudes(numbers: &Numbers) -> Result<Value, Unavailable> {
+    let modes = numbers.modes()?;
+    let states = modal_start(numbers, modes)?.into_iter().enumerate();
+    let row = |(mode, state): (usize, State)| {
+        let frequency = modes
+            .natural_angular_frequency(mode)
+            .ok_or(Unavailable::Unstable)?;
+        // A rigid motion has a velocity in place of the factor of the sine.
+        let sine = if frequency == 0.0 {
+            state.velocity
         } else {
-            None
+            state.velocity / frequency
         };
-        let matrices = self.matrices()?;
-        let mass = self.square(&matrices.mass);
-        Ok(Response {
-            position: self.equilibrium()?.to_vec(),
-            free,
-            forced,
-            damping: self.square(&matrices.damping),
-            stiffness: self.square(&matrices.stiffness),
-            inverse_mass: mass.try_inverse().ok_or(Unavailable::Singular)?,
-        })
-    }
+        Ok([state.position, sine])
+    };
+    let rows: Vec<[f64; 2]> = states.map(row).collect::<Result<_, Unavailable>>()?;
+    matrix(2, rows.into_flattened())
+}
 
-    /// The damping for the solver.
-    pub(crate) fn damping(&self) -> Result<Damping, Unavailable> {
-        let value = self.damping_matrix()?;
-        Ok(if value.numbers().iter().all(|own| *own == 0.0) {
-            Damping::none()
+/// The motion of a coordinate among several.
+pub(crate) fn motion(numbers: &Numbers, coordinate: usize) -> Result<Motion, Unavailable> {
+    let response = numbers
+        .response
+        .get_or_init(|| response(numbers).map(Arc::new));
+    Ok(Motion::of_modes(ModalMotion {
+        response: response.clone()?,
+        coordinate,
+    }))
+}
+
+fn response(numbers: &Numbers) -> Result<Response, Unavailable> {
+    let modes = numbers.modes()?;
+    let slowest = (0..modes.count()).filter_map(|mode| modes.natural_angular_frequency(mode));
+    let slowest = slowest
+        .filter(|rate| *rate > 0.0)
+        .fold(f64::INFINITY, f64::min);
+    let horizon = if slowest.is_finite() {
+        MAX_PERIODS * TAU / slowest
+    } else {
+        MAX_PERIODS
+    };
+    let (displacements, velocities) = displaced_start(numbers)?;
+    let damping = damping(numbers)?;
+    let still = vec![0.0; displacements.len()];
+    let mut forced = Vec::new();
+    for (at, drive) in numbers.drives()?.iter().enumerate() {
+        let forces = HarmonicForces {
+            cosine: &drive.cosine,
+            sine: &drive.sine,
+            angular_frequency: drive.frequency,
+        };
+        let start = if at == 0 {
+            [&displacements, &velocities]
         } else {
-            Damping::of_matrix(&self.square(value))
-        })
+            [&still, &still]
+        };
+        let [x, v] = start;
+        let motion = ForcedModalResponse::of(modes, &damping, forces, x, v, horizon)?;
+        forced.push((drive.clone(), motion));
     }
+    let free = if forced.is_empty() {
+        Some(ModalResponse::of(
+            modes,
+            &damping,
+            &displacements,
+            &velocities,
+            horizon,
+        )?)
+    } else {
+        None
+    };
+    let matrices = numbers.matrices()?;
+    let mass = matrices::square(numbers, &matrices.mass);
+    Ok(Response {
+        position: numbers.equilibrium()?.to_vec(),
+        free,
+        forced,
+        damping: matrices::square(numbers, &matrices.damping),
+        stiffness: matrices::square(numbers, &matrices.stiffness),
+        inverse_mass: mass.try_inverse().ok_or(Unavailable::Singular)?,
+    })
+}
 
-    /// Displacements from the equilibrium, and velocities, at the start.
-    fn displaced_start(&self) -> Result<(Vec<f64>, Vec<f64>), Unavailable> {
-        let start = self.start()?;
-        let displaced = start.iter().zip(self.equilibrium()?);
-        let displacements = displaced.map(|(own, rest)| own.position - rest).collect();
-        Ok((
-            displacements,
-            start.iter().map(|own| own.velocity).collect(),
-        ))
-    }
+/// The damping for the solver.
+pub(crate) fn damping(numbers: &Numbers) -> Result<Damping, Unavailable> {
+    let value = numbers.damping_matrix()?;
+    Ok(if value.numbers().iter().all(|own| *own == 0.0) {
+        Damping::none()
+    } else {
+        Damping::of_matrix(&matrices::square(numbers, value))
+    })
+}
 
-    /// Modal positions and velocities at the start.
-    fn modal_start(&self, modes: &Modes) -> Result<Vec<State>, Unavailable> {
-        let (positions, velocities) = self.displaced_start()?;
-        let positions = modes.modal_coordinates(&positions)?;
-        let velocities = modes.modal_coordinates(&velocities)?;
-        let pairs = positions.into_iter().zip(velocities);
-        Ok(pairs
-            .map(|(position, velocity)| State { position, velocity })
-            .collect())
-    }
+/// Displacements from the equilibrium, and velocities, at the start.
+fn displaced_start(numbers: &Numbers) -> Result<(Vec<f64>, Vec<f64>), Unavailable> {
+    let start = numbers.start()?;
+    let displaced = start.iter().zip(numbers.equilibrium()?);
+    let displacements = displaced.map(|(own, rest)| own.position - rest).collect();
+    Ok((
+        displacements,
+        start.iter().map(|own| own.velocity).collect(),
+    ))
+}
 
-    /// The diagonal of `Φᵀ C Φ`, if that is diagonal.
-    pub(crate) fn modal_dampings(&self) -> Result<Vec<f64>, Unavailable> {
-        let modes = self.modes()?;
-        let size = modes.count();
-        let damping =
-            nalgebra::DMatrix::from_row_slice(size, size, self.damping_matrix()?.numbers());
-        let shapes = modes.modal_matrix();
-        let modal = shapes.transpose() * damping * shapes;
-        for row in 0..size {
-            for column in 0..row {
-                let own = modal[(row, row)].abs().max(modal[(column, column)].abs());
-                if modal[(row, column)].abs() > COUPLED * own {
-                    return Err(Unavailable::CoupledDamping);
-                }
+/// Modal positions and velocities at the start.
+fn modal_start(numbers: &Numbers, modes: &Modes) -> Result<Vec<State>, Unavailable> {
+    let (positions, velocities) = displaced_start(numbers)?;
+    let positions = modes.modal_coordinates(&positions)?;
+    let velocities = modes.modal_coordinates(&velocities)?;
+    let pairs = positions.into_iter().zip(velocities);
+    Ok(pairs
+        .map(|(position, velocity)| State { position, velocity })
+        .collect())
+}
+
+/// The diagonal of `Φᵀ C Φ`, if that is diagonal.
+pub(crate) fn dampings(numbers: &Numbers) -> Result<Vec<f64>, Unavailable> {
+    let modes = numbers.modes()?;
+    let size = modes.count();
+    let damping =
+        nalgebra::DMatrix::from_row_slice(size, size, numbers.damping_matrix()?.numbers());
+    let shapes = modes.modal_matrix();
+    let modal = shapes.transpose() * damping * shapes;
+    for row in 0..size {
+        for column in 0..row {
+            let own = modal[(row, row)].abs().max(modal[(column, column)].abs());
+            if modal[(row, column)].abs() > COUPLED * own {
+                return Err(Unavailable::CoupledDamping);
             }
         }
-        Ok(modal.diagonal().as_slice().to_vec())
     }
+    Ok(modal.diagonal().as_slice().to_vec())
 }
 
 /// A list of numbers that are good to a few units in the last place.

@@ -2,7 +2,7 @@
 
 use super::friction::SlidingForces;
 use super::modal::ModalMotion;
-use super::{Numbers, Unavailable};
+use super::{Numbers, Unavailable, friction, modal, steady};
 use crate::expr::Undefined;
 use crate::numerics::{Complex, sin_cos};
 use crate::vibration::{
@@ -91,6 +91,98 @@ impl Motion {
             position: self.at(0, time)?,
             velocity: self.at(1, time)?,
         })
+    }
+
+    /// The motion of a coordinate from the initial state: of the linearized equations, with dry friction
+    /// where the model has it.
+    ///
+    /// # Errors
+    ///
+    /// [`Unavailable::Unstable`], [`Unavailable::NotHarmonic`], [`Unavailable::CoupledDamping`], and those of
+    /// [`Numbers::equilibrium`].
+    pub(crate) fn of_coordinate(numbers: &Numbers, coordinate: usize) -> Result<Self, Unavailable> {
+        if numbers.model.degrees_of_freedom() > 1 {
+            return modal::motion(numbers, coordinate);
+        }
+        if numbers.model.evaluation.sticking.is_some() {
+            return friction::motion(numbers);
+        }
+        let oscillator = numbers.oscillator()?;
+        let forces = numbers.drives()?.iter().map(|drive| HarmonicForce {
+            cosine: drive.cosine[0],
+            sine: drive.sine[0],
+            angular_frequency: drive.frequency,
+        });
+        let offset = numbers.equilibrium()?[0];
+        let start = numbers.start()?[0];
+        let initial = State {
+            position: start.position - offset,
+            ..start
+        };
+        let forces: Vec<_> = forces.collect();
+        let motion = OscillatorMotion::of(oscillator, offset, initial, &forces);
+        Ok(Self(MotionKind::Oscillator(Box::new(motion))))
+    }
+
+    /// The motion of a coordinate that is left when all that decays has decayed.
+    ///
+    /// # Errors
+    ///
+    /// [`Unavailable::NoForce`], [`Unavailable::NotHarmonic`], [`Unavailable::Resonance`], and those of [`Numbers::equilibrium`].
+    pub(crate) fn steady(numbers: &Numbers, coordinate: usize) -> Result<Self, Unavailable> {
+        let drives = numbers.drives()?;
+        if drives.is_empty() {
+            return Err(Unavailable::NoForce);
+        }
+        let amplitude = |drive| Ok((drive, steady::amplitudes(numbers, drive)?[coordinate]));
+        let harmonics = drives
+            .iter()
+            .map(amplitude)
+            .collect::<Result<Vec<_>, Unavailable>>()?;
+        let harmonics = harmonics
+            .into_iter()
+            .map(|(drive, own)| (drive.frequency, own));
+        Ok(Self(MotionKind::Steady(SteadyMotion {
+            offset: numbers.equilibrium()?[coordinate],
+            harmonics: harmonics.collect(),
+        })))
+    }
+
+    /// The motion of a coordinate in one mode, numbered from 0, without damping, in the mass-normalized scale.
+    ///
+    /// # Errors
+    ///
+    /// [`Unavailable::Unstable`] where the mode is no vibration, and those of [`Numbers::modes`].
+    pub(crate) fn of_mode(
+        numbers: &Numbers,
+        mode: usize,
+        coordinate: usize,
+    ) -> Result<Self, Unavailable> {
+        let modes = numbers.modes()?;
+        let frequency = modes.natural_angular_frequency(mode);
+        let frequency = frequency.ok_or(Unavailable::Unstable)?;
+        let amplitude = Complex::new(modes.mode_shape(mode)[coordinate], 0.0);
+        Ok(Self(MotionKind::Steady(SteadyMotion {
+            offset: numbers.equilibrium()?[coordinate],
+            harmonics: vec![(frequency, amplitude)],
+        })))
+    }
+
+    /// The mechanical energy as a function of time, counted from that at rest in equilibrium.
+    ///
+    /// # Errors
+    ///
+    /// Those of [`Self::of_coordinate`].
+    pub(crate) fn energy(numbers: &Numbers) -> Result<Self, Unavailable> {
+        let motions = (0..numbers.model.degrees_of_freedom())
+            .map(|coordinate| Self::of_coordinate(numbers, coordinate));
+        let matrices = numbers.matrices()?;
+        Ok(Self(MotionKind::Energy(EnergyOf {
+            motions: motions.collect::<Result<_, _>>()?,
+            rest: numbers.equilibrium()?.to_vec(),
+            mass: matrices.mass.numbers().to_vec(),
+            stiffness: matrices.stiffness.numbers().to_vec(),
+        })))
     }
 }
 
@@ -190,111 +282,5 @@ fn pendulum_at(motion: &PendulumMotion, square_rate: f64, order: u8, time: f64) 
         1 => Some(motion.angular_velocity(time)),
         2 => Some(-square_rate * crate::numerics::sin(motion.angle(time))),
         _ => None,
-    }
-}
-
-impl Numbers {
-    /// The motion of a coordinate from the initial state: of the linearized equations, with dry friction
-    /// where the model has it.
-    ///
-    /// # Errors
-    ///
-    /// [`Unavailable::Unstable`], [`Unavailable::NotHarmonic`], [`Unavailable::CoupledDamping`], and those of
-    /// [`Self::equilibrium`].
-    pub fn motion(&self, coordinate: usize) -> Result<Motion, Unavailable> {
-        if self.model.degrees_of_freedom() > 1 {
-            return self.modal_motion(coordinate);
-        }
-        if self.model.evaluation.sticking.is_some() {
-            return self.friction_path();
-        }
-        let oscillator = self.oscillator()?;
-        let forces = self.drives()?.iter().map(|drive| HarmonicForce {
-            cosine: drive.cosine[0],
-            sine: drive.sine[0],
-            angular_frequency: drive.frequency,
-        });
-        let offset = self.equilibrium()?[0];
-        let start = self.start()?[0];
-        let initial = State {
-            position: start.position - offset,
-            ..start
-        };
-        let forces: Vec<_> = forces.collect();
-        let motion = OscillatorMotion::of(oscillator, offset, initial, &forces);
-        Ok(Motion(MotionKind::Oscillator(Box::new(motion))))
-    }
-
-    /// The motion of a coordinate that is left when all that decays has decayed.
-    ///
-    /// # Errors
-    ///
-    /// [`Unavailable::NoForce`], [`Unavailable::NotHarmonic`], [`Unavailable::Resonance`], and those of [`Self::equilibrium`].
-    pub fn steady_motion(&self, coordinate: usize) -> Result<Motion, Unavailable> {
-        let drives = self.drives()?;
-        if drives.is_empty() {
-            return Err(Unavailable::NoForce);
-        }
-        let amplitude = |drive| Ok((drive, self.amplitudes(drive)?[coordinate]));
-        let harmonics = drives
-            .iter()
-            .map(amplitude)
-            .collect::<Result<Vec<_>, Unavailable>>()?;
-        let harmonics = harmonics
-            .into_iter()
-            .map(|(drive, own)| (drive.frequency, own));
-        Ok(Motion(MotionKind::Steady(SteadyMotion {
-            offset: self.equilibrium()?[coordinate],
-            harmonics: harmonics.collect(),
-        })))
-    }
-
-    /// The motion of a coordinate in one mode, numbered from 0, without damping, in the mass-normalized scale.
-    ///
-    /// # Errors
-    ///
-    /// [`Unavailable::Unstable`] where the mode is no vibration, and those of [`Self::modes`].
-    pub(crate) fn mode_motion(
-        &self,
-        mode: usize,
-        coordinate: usize,
-    ) -> Result<Motion, Unavailable> {
-        let modes = self.modes()?;
-        let frequency = modes.natural_angular_frequency(mode);
-        let frequency = frequency.ok_or(Unavailable::Unstable)?;
-        let amplitude = Complex::new(modes.mode_shape(mode)[coordinate], 0.0);
-        Ok(Motion(MotionKind::Steady(SteadyMotion {
-            offset: self.equilibrium()?[coordinate],
-            harmonics: vec![(frequency, amplitude)],
-        })))
-    }
-
-    /// The mechanical energy as a function of time, counted from that at rest in equilibrium.
-    ///
-    /// # Errors
-    ///
-    /// Those of [`Self::motion`].
-    pub fn energy(&self) -> Result<Motion, Unavailable> {
-        let motions =
-            (0..self.model.degrees_of_freedom()).map(|coordinate| self.motion(coordinate));
-        let matrices = self.matrices()?;
-        Ok(Motion(MotionKind::Energy(EnergyOf {
-            motions: motions.collect::<Result<_, _>>()?,
-            rest: self.equilibrium()?.to_vec(),
-            mass: matrices.mass.numbers().to_vec(),
-            stiffness: matrices.stiffness.numbers().to_vec(),
-        })))
-    }
-
-    /// The initial state.
-    pub(crate) fn start(&self) -> Result<Vec<State>, Unavailable> {
-        let value = self.value(&self.model.evaluation.start, &[])?;
-        let states = value.numbers().chunks_exact(2);
-        Ok(states
-            .map(|own| State {
-                position: own[0],
-                velocity: own[1],
-            })
-            .collect())
     }
 }

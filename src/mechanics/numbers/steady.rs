@@ -1,56 +1,64 @@
 //! The steady state under harmonic forces.
 
 use super::driving::Drive;
-use super::{Numbers, Unavailable};
+use super::{Numbers, Unavailable, driving, matrices, modal};
 use crate::expr::{Field, Form, Shape, Value};
 use crate::numerics::Complex;
 use crate::vibration::FrequencyResponse;
 use crate::vibration::modal::HarmonicResponse;
 use crate::vibration::modes::ModesError;
 
-impl Numbers {
-    /// X of a coordinate with `x = Re(X e^(iΩt))`, for the only angular frequency that drives the model.
-    ///
-    /// # Errors
-    ///
-    /// [`Unavailable::NoForce`], [`Unavailable::SeveralFrequencies`], [`Unavailable::NotHarmonic`], [`Unavailable::Resonance`].
-    pub fn complex_amplitude(&self, coordinate: usize) -> Result<Complex, Unavailable> {
-        Ok(self.amplitudes(self.only_drive()?)?[coordinate])
-    }
+/// X of a coordinate with `x = Re(X e^(iΩt))`, for the only angular frequency that drives the model.
+///
+/// # Errors
+///
+/// [`Unavailable::NoForce`], [`Unavailable::SeveralFrequencies`], [`Unavailable::NotHarmonic`], [`Unavailable::Resonance`].
+pub(crate) fn complex_amplitude(
+    numbers: &Numbers,
+    coordinate: usize,
+) -> Result<Complex, Unavailable> {
+    Ok(amplitudes(numbers, driving::only(numbers)?)?[coordinate])
+}
 
-    /// The complex amplitude as a value.
-    ///
-    /// # Errors
-    ///
-    /// As for [`Self::complex_amplitude`].
-    pub(crate) fn complex_amplitude_value(&self, coordinate: usize) -> Result<Value, Unavailable> {
-        let amplitude = self.complex_amplitude(coordinate)?;
-        let form = Form {
-            field: Field::Complex,
-            shape: Shape::Scalar,
-        };
-        let bound = 16.0 * f64::EPSILON * amplitude.abs();
-        let value = Value::new(form, vec![amplitude.re, amplitude.im], vec![bound; 2]);
-        value.ok_or(Unavailable::Singular)
-    }
+/// The complex amplitude as a value.
+///
+/// # Errors
+///
+/// As for [`complex_amplitude`].
+pub(crate) fn complex_amplitude_value(
+    numbers: &Numbers,
+    coordinate: usize,
+) -> Result<Value, Unavailable> {
+    let amplitude = complex_amplitude(numbers, coordinate)?;
+    let form = Form {
+        field: Field::Complex,
+        shape: Shape::Scalar,
+    };
+    let bound = 16.0 * f64::EPSILON * amplitude.abs();
+    let value = Value::new(form, vec![amplitude.re, amplitude.im], vec![bound; 2]);
+    value.ok_or(Unavailable::Singular)
+}
 
-    /// The solution of `(K − Ω² M + iΩ C) X = F`.
-    pub(crate) fn amplitudes(&self, drive: &Drive) -> Result<Vec<Complex>, Unavailable> {
-        let forces = drive.cosine.iter().zip(&drive.sine);
-        let forces: Vec<_> = forces.map(|(a, b)| Complex::new(*a, -*b)).collect();
-        // One coordinate has a closed form, which keeps its digits beside resonance.
-        if let ([force], Ok(oscillator)) = (forces.as_slice(), self.oscillator()) {
-            let response = FrequencyResponse::at(&oscillator, drive.frequency);
-            if response.is_unbounded() {
-                return Err(Unavailable::Resonance);
-            }
-            return Ok(vec![*force * response.receptance()]);
+/// The solution of `(K − Ω² M + iΩ C) X = F`.
+pub(crate) fn amplitudes(numbers: &Numbers, drive: &Drive) -> Result<Vec<Complex>, Unavailable> {
+    let forces = drive.cosine.iter().zip(&drive.sine);
+    let forces: Vec<_> = forces.map(|(a, b)| Complex::new(*a, -*b)).collect();
+    // One coordinate has a closed form, which keeps its digits beside resonance.
+    if let ([force], Ok(oscillator)) = (forces.as_slice(), numbers.oscillator()) {
+        let response = FrequencyResponse::at(&oscillator, drive.frequency);
+        if response.is_unbounded() {
+            return Err(Unavailable::Resonance);
         }
-        let response = HarmonicResponse::of(&self.system()?, &self.damping()?, drive.frequency);
-        let amplitudes = response.and_then(|own| own.amplitudes(&forces));
-        amplitudes.map_err(|error| match error {
-            ModesError::Resonance => Unavailable::Resonance,
-            other => Unavailable::Modes(other),
-        })
+        return Ok(vec![*force * response.receptance()]);
     }
+    let response = HarmonicResponse::of(
+        &matrices::system(numbers)?,
+        &modal::damping(numbers)?,
+        drive.frequency,
+    );
+    let amplitudes = response.and_then(|own| own.amplitudes(&forces));
+    amplitudes.map_err(|error| match error {
+        ModesError::Resonance => Unavailable::Resonance,
+        other => Unavailable::Modes(other),
+    })
 }

@@ -75,188 +75,182 @@ struct Along {
     residual: Normal,
 }
 
-impl Deriver<'_> {
-    pub(crate) fn newton(&self) -> Result<Vec<Step>, Unavailable> {
-        let model = self.model;
-        let bodies = &model.definition.bodies;
-        if bodies.is_empty() {
-            return Err(Unavailable::NoFormula);
-        }
-        let mut steps = Vec::new();
-        for body in bodies {
-            let lines = (0..body.moves.len()).map(|at| {
-                let (name, inertia) = &body.moves[at];
-                let left = product(inertia.clone(), Expr::name(name.clone()).prime(2));
-                let (is_negative, left) = self.tidy(&left);
-                let left = if is_negative { -left } else { left };
-                let forces = body
-                    .forces
-                    .iter()
-                    .flat_map(|(_, all)| signed_terms(&all[at], false));
-                Line::exact([left, sum_of_signed_terms(forces.filter(is_there))].map(Side::Formula))
-            });
-            steps.push(Step {
-                reason: Reason::Body(body.name.clone()),
-                lines: lines.collect(),
-            });
-        }
-        let used = steps.iter().flat_map(|step| &step.lines);
-        let used = used
-            .flat_map(|line| &line.sides)
-            .filter_map(|side| match side {
-                Side::Formula(formula) => Some(formula),
-                Side::Terms(_) | Side::Determinant(_) => None,
-            });
-        let relations = self.relations(used)?;
-        steps.splice(0..0, relations);
-        for (at, name) in model.coordinates().iter().enumerate() {
-            let along = self.along(name)?;
-            let sides = [along.inertia, along.forces].map(sum_of_signed_terms);
-            // A law that is the equation already is not printed again.
-            let law = Line::exact(sides.map(Side::Formula));
-            let is_new = steps.iter().all(|step| !step.lines.contains(&law));
-            let mut lines: Vec<Line> = is_new.then_some(law).into_iter().collect();
-            let full = if model.is_linear() {
-                Quantity::Equation(at)
-            } else {
-                Quantity::FullEquation(at)
-            };
-            lines.extend(model.equations(full)?.into_iter().map(line_of));
-            steps.push(Step {
-                reason: Reason::Elimination(name.clone(), along.unknowns),
-                lines,
-            });
-            if !model.is_linear()
-                && let Ok(equations) = model.equations(Quantity::Equation(at))
-            {
-                steps.push(Step {
-                    reason: Reason::Linearized,
-                    lines: equations.into_iter().map(line_of).collect(),
-                });
-            }
-        }
-        Ok(steps)
+pub(crate) fn newton(deriver: &Deriver<'_>) -> Result<Vec<Step>, Unavailable> {
+    let model = deriver.model;
+    let bodies = &model.definition.bodies;
+    if bodies.is_empty() {
+        return Err(Unavailable::NoFormula);
     }
-
-    /// Each law times the displacement per displacement along a coordinate; forces of constraint that cancel are gone.
-    fn along(&self, coordinate: &Name) -> Result<Along, Unavailable> {
-        let mut along = Along {
-            inertia: Vec::new(),
-            forces: Vec::new(),
-            unknowns: Vec::new(),
-            residual: Normal::of(&Expr::number(0))?,
+    let mut steps = Vec::new();
+    for body in bodies {
+        let lines = (0..body.moves.len()).map(|at| {
+            let (name, inertia) = &body.moves[at];
+            let left = product(inertia.clone(), Expr::name(name.clone()).prime(2));
+            let (is_negative, left) = deriver.tidy(&left);
+            let left = if is_negative { -left } else { left };
+            let forces = body
+                .forces
+                .iter()
+                .flat_map(|(_, all)| signed_terms(&all[at], false));
+            Line::exact([left, sum_of_signed_terms(forces.filter(is_there))].map(Side::Formula))
+        });
+        steps.push(Step {
+            reason: Reason::Body(body.name.clone()),
+            lines: lines.collect(),
+        });
+    }
+    let used = steps.iter().flat_map(|step| &step.lines);
+    let used = used
+        .flat_map(|line| &line.sides)
+        .filter_map(|side| match side {
+            Side::Formula(formula) => Some(formula),
+            Side::Terms(_) | Side::Determinant(_) => None,
+        });
+    let relations = deriver.relations(used)?;
+    steps.splice(0..0, relations);
+    for (at, name) in model.coordinates().iter().enumerate() {
+        let along = along(deriver, name)?;
+        let sides = [along.inertia, along.forces].map(sum_of_signed_terms);
+        // A law that is the equation already is not printed again.
+        let law = Line::exact(sides.map(Side::Formula));
+        let is_new = steps.iter().all(|step| !step.lines.contains(&law));
+        let mut lines: Vec<Line> = is_new.then_some(law).into_iter().collect();
+        let full = if model.is_linear() {
+            Quantity::Equation(at)
+        } else {
+            Quantity::FullEquation(at)
         };
-        for body in &self.model.definition.bodies {
-            for (at, (name, inertia)) in body.moves.iter().enumerate() {
-                let slope = self.slope(name, coordinate)?;
-                if slope.is_zero() {
-                    continue;
-                }
-                let rate = product(inertia.clone(), Expr::name(name.clone()).prime(2));
-                let left = rate * slope.clone();
-                along.residual = along.residual.plus(&self.normal(&left)?)?;
-                along.inertia.push(self.tidy(&left));
-                for (_, components) in &body.forces {
-                    for (is_negative, force) in signed_terms(&components[at], false) {
-                        if force.is_zero() {
-                            continue;
-                        }
-                        let force = force * slope.clone();
-                        let normal = self.normal(&force)?;
-                        let normal = if is_negative {
-                            normal
+        lines.extend(model.equations(full)?.into_iter().map(line_of));
+        steps.push(Step {
+            reason: Reason::Elimination(name.clone(), along.unknowns),
+            lines,
+        });
+        if !model.is_linear()
+            && let Ok(equations) = model.equations(Quantity::Equation(at))
+        {
+            steps.push(Step {
+                reason: Reason::Linearized,
+                lines: equations.into_iter().map(line_of).collect(),
+            });
+        }
+    }
+    Ok(steps)
+}
+
+/// Each law times the displacement per displacement along a coordinate; forces of constraint that cancel are gone.
+fn along(deriver: &Deriver<'_>, coordinate: &Name) -> Result<Along, Unavailable> {
+    let mut along = Along {
+        inertia: Vec::new(),
+        forces: Vec::new(),
+        unknowns: Vec::new(),
+        residual: Normal::of(&Expr::number(0))?,
+    };
+    for body in &deriver.model.definition.bodies {
+        for (at, (name, inertia)) in body.moves.iter().enumerate() {
+            let slope = deriver.slope(name, coordinate)?;
+            if slope.is_zero() {
+                continue;
+            }
+            let rate = product(inertia.clone(), Expr::name(name.clone()).prime(2));
+            let left = rate * slope.clone();
+            along.residual = along.residual.plus(&deriver.normal(&left)?)?;
+            along.inertia.push(deriver.tidy(&left));
+            for (_, components) in &body.forces {
+                for (is_negative, force) in signed_terms(&components[at], false) {
+                    if force.is_zero() {
+                        continue;
+                    }
+                    let force = force * slope.clone();
+                    let normal = deriver.normal(&force)?;
+                    let normal = if is_negative {
+                        normal
+                    } else {
+                        normal.negated()
+                    };
+                    along.residual = along.residual.plus(&normal)?;
+                    let names = force.names();
+                    let unknown = body.unknowns.iter().find(|name| names.uses(name));
+                    let Some(unknown) = unknown else {
+                        // What is only taken over keeps the order in which the author wrote it.
+                        let (sign, force) = if slope.is_one() {
+                            (false, force)
                         } else {
-                            normal.negated()
+                            deriver.tidy(&force)
                         };
-                        along.residual = along.residual.plus(&normal)?;
-                        let names = force.names();
-                        let unknown = body.unknowns.iter().find(|name| names.uses(name));
-                        let Some(unknown) = unknown else {
-                            // What is only taken over keeps the order in which the author wrote it.
-                            let (sign, force) = if slope.is_one() {
-                                (false, force)
-                            } else {
-                                self.tidy(&force)
-                            };
-                            along.forces.push((is_negative != sign, force));
-                            continue;
-                        };
-                        if !along.unknowns.contains(unknown) {
-                            along.unknowns.push(unknown.clone());
-                        }
+                        along.forces.push((is_negative != sign, force));
+                        continue;
+                    };
+                    if !along.unknowns.contains(unknown) {
+                        along.unknowns.push(unknown.clone());
                     }
                 }
             }
         }
-        Ok(along)
     }
+    Ok(along)
 }
 
-impl Model {
-    /// Proves that the laws of the bodies are the equations of the energies: for each coordinate the sum over the bodies
-    /// of ∂(move)/∂q times (inertia − forces) is the left side of Lagrange's equation, and no force of constraint is left.
-    ///
-    /// # Errors
-    ///
-    /// What does not agree.
-    pub(crate) fn prove_newton(&self) -> Result<(), NewtonError> {
-        let bodies = &self.definition.bodies;
-        let Some(span) = bodies.first().map(|body| body.span) else {
-            return Ok(());
-        };
-        let symbolic = |lack: Unavailable| NewtonError::Symbolic {
-            reason: lack.to_string(),
-            span,
-        };
-        let deriver = Deriver::of(self).map_err(symbolic)?;
-        for body in bodies {
-            let mut moves = body.moves.iter().map(|(name, _)| name);
-            if let Some(name) = moves.find(|name| !deriver.moving.contains(*name)) {
-                return Err(NewtonError::Move {
-                    name: name.clone(),
-                    span: body.span,
-                });
-            }
+pub(crate) fn prove_newton(model: &Model) -> Result<(), NewtonError> {
+    let bodies = &model.definition.bodies;
+    let Some(span) = bodies.first().map(|body| body.span) else {
+        return Ok(());
+    };
+    let symbolic = |lack: Unavailable| NewtonError::Symbolic {
+        reason: lack.to_string(),
+        span,
+    };
+    let deriver = Deriver::of(model).map_err(symbolic)?;
+    for body in bodies {
+        let mut moves = body.moves.iter().map(|(name, _)| name);
+        if let Some(name) = moves.find(|name| !deriver.moving.contains(*name)) {
+            return Err(NewtonError::Move {
+                name: name.clone(),
+                span: body.span,
+            });
         }
-        for (at, coordinate) in self.coordinates().iter().enumerate() {
-            let found = deriver.along(coordinate).map_err(symbolic)?.residual;
-            let mut unknowns = bodies.iter().flat_map(|body| &body.unknowns);
-            if let Some(unknown) = unknowns.find(|name| found.mentions(name)) {
-                return Err(NewtonError::Unknown {
-                    unknown: unknown.clone(),
-                    coordinate: coordinate.clone(),
-                    span,
-                });
-            }
-            let expected = self.with_dry_friction(at).map_err(symbolic)?;
-            let is_equal = found.is_equal(&expected);
-            if is_equal.map_err(|error| symbolic(error.into()))? {
-                continue;
-            }
-            let difference = found.plus(&expected.negated());
-            let difference = difference.map_err(|error| symbolic(error.into()))?;
-            return Err(NewtonError::Differs {
+    }
+    for (at, coordinate) in model.coordinates().iter().enumerate() {
+        let found = along(&deriver, coordinate).map_err(symbolic)?.residual;
+        let mut unknowns = bodies.iter().flat_map(|body| &body.unknowns);
+        if let Some(unknown) = unknowns.find(|name| found.mentions(name)) {
+            return Err(NewtonError::Unknown {
+                unknown: unknown.clone(),
                 coordinate: coordinate.clone(),
-                difference: difference.to_expr(self.order()).to_string(),
                 span,
             });
         }
-        Ok(())
+        let expected = with_dry_friction(model, at).map_err(symbolic)?;
+        let is_equal = found.is_equal(&expected);
+        if is_equal.map_err(|error| symbolic(error.into()))? {
+            continue;
+        }
+        let difference = found.plus(&expected.negated());
+        let difference = difference.map_err(|error| symbolic(error.into()))?;
+        return Err(NewtonError::Differs {
+            coordinate: coordinate.clone(),
+            difference: difference.to_expr(model.order()).to_string(),
+            span,
+        });
     }
+    Ok(())
+}
 
-    /// The left side of Lagrange's equation with the force of dry friction, F sign(q').
-    fn with_dry_friction(&self, at: usize) -> Result<Normal, Unavailable> {
-        let residual = self.residuals[at].clone();
-        let name = &self.coordinates()[at];
-        let own = self.definition.friction.iter().find(|(own, _)| own == name);
-        let Some((_, friction)) = own else {
-            return Ok(residual);
-        };
-        let velocity = Expr::name(name.clone()).prime(1);
-        let direction = Expr::call(Function::Sign, [velocity]);
-        let force = Normal::of(&product(friction.kinetic.clone(), direction))?;
-        Ok(residual.plus(&force)?)
-    }
+/// The left side of Lagrange's equation with the force of dry friction, F sign(q').
+fn with_dry_friction(model: &Model, at: usize) -> Result<Normal, Unavailable> {
+    let residual = model.residuals[at].clone();
+    let name = &model.coordinates()[at];
+    let own = model
+        .definition
+        .friction
+        .iter()
+        .find(|(own, _)| own == name);
+    let Some((_, friction)) = own else {
+        return Ok(residual);
+    };
+    let velocity = Expr::name(name.clone()).prime(1);
+    let direction = Expr::call(Function::Sign, [velocity]);
+    let force = Normal::of(&product(friction.kinetic.clone(), direction))?;
+    Ok(residual.plus(&force)?)
 }
 
 fn is_there((_, force): &(bool, Expr)) -> bool {

@@ -11,7 +11,7 @@ pub(crate) fn in_order(term: &Expr, order: &Order) -> (bool, Expr) {
     {
         return signed(&normal, order);
     }
-    let mut product = Product {
+    let mut product = OrderedProduct {
         is_negative: false,
         names: Expr::number(1),
         brackets: Vec::new(),
@@ -66,7 +66,7 @@ fn signed(normal: &Normal, order: &Order) -> (bool, Expr) {
     }
 }
 
-struct Product<'o> {
+struct OrderedProduct<'o> {
     is_negative: bool,
     names: Expr,
     brackets: Vec<Expr>,
@@ -76,7 +76,7 @@ struct Product<'o> {
     order: &'o Order,
 }
 
-impl Product<'_> {
+impl OrderedProduct<'_> {
     fn take(&mut self, factor: &Expr, is_below: bool) {
         match factor.kind() {
             Kind::Binary(Operator::Multiply, a, b) => {

@@ -9,86 +9,83 @@ use crate::mechanics::linear::Matrix;
 /// More coordinates have no equation in letters that anybody follows.
 const MAX_COORDINATES: usize = 2;
 
-impl Deriver<'_> {
-    /// The determinant of K − ω² M and its equation; dampers are ignored.
-    pub(crate) fn characteristic(&self) -> Result<Vec<Step>, Unavailable> {
-        let unknown = Name::new("omega");
-        let entries = self.stiffness_less_inertia(&unknown)?;
-        let equation = determinant(&entries).ok_or(Unavailable::NoFormula)?;
-        let row = |row: &Vec<Normal>| row.iter().map(|entry| self.collected(entry)).collect();
-        let order = self.model.order().clone().moving([unknown]).descending();
-        let zero = || Side::Formula(Expr::number(0));
-        let matrix = Side::Determinant(entries.iter().map(row).collect());
-        let mut lines = vec![
-            Line::exact([matrix, zero()]),
-            Line::exact([Side::Formula(equation.to_expr(&order)), zero()]),
-        ];
-        let has_dampers = !self
-            .model
-            .linear()
-            .ok_or(Unavailable::NoFormula)?
-            .is_undamped();
-        let shortest = self.model.equations(Quantity::CharacteristicEquation);
-        if let (Ok(shortest), false) = (shortest, has_dampers) {
-            lines.extend(shortest.into_iter().map(super::lagrange::line_of));
-        }
-        Ok(vec![Step {
-            reason: Reason::Characteristic,
-            lines,
-        }])
+/// The determinant of K − ω² M and its equation; dampers are ignored.
+pub(crate) fn characteristic(deriver: &Deriver<'_>) -> Result<Vec<Step>, Unavailable> {
+    let unknown = Name::new("omega");
+    let entries = stiffness_less_inertia(deriver, &unknown)?;
+    let equation = determinant(&entries).ok_or(Unavailable::NoFormula)?;
+    let row = |row: &Vec<Normal>| row.iter().map(|entry| deriver.collected(entry)).collect();
+    let order = deriver.model.order().clone().moving([unknown]).descending();
+    let zero = || Side::Formula(Expr::number(0));
+    let matrix = Side::Determinant(entries.iter().map(row).collect());
+    let mut lines = vec![
+        Line::exact([matrix, zero()]),
+        Line::exact([Side::Formula(equation.to_expr(&order)), zero()]),
+    ];
+    let has_dampers = !deriver
+        .model
+        .linear()
+        .ok_or(Unavailable::NoFormula)?
+        .is_undamped();
+    let shortest = deriver.model.equations(Quantity::CharacteristicEquation);
+    if let (Ok(shortest), false) = (shortest, has_dampers) {
+        lines.extend(shortest.into_iter().map(super::lagrange::line_of));
     }
+    Ok(vec![Step {
+        reason: Reason::Characteristic,
+        lines,
+    }])
+}
 
-    /// A row of (K − ω² M) u = 0 that joins the two coordinates, and the ratio that it gives.
-    pub(crate) fn row(&self, mode: usize) -> Result<Vec<Step>, Unavailable> {
-        let names = self.model.coordinates();
-        let [first, second] = names else {
-            return Err(Unavailable::SeveralCoordinates);
-        };
-        let frequency = Name::new(format!("omega{}", mode + 1));
-        let entries = self.stiffness_less_inertia(&frequency)?;
-        // In a row without the other coordinate nothing says how large that one is.
-        let joined = [(0, 1), (1, 0)];
-        let joined = joined
-            .into_iter()
-            .find(|(row, other)| !entries[*row][*other].is_zero());
-        let (row, _) = joined.ok_or(Unavailable::NoFormula)?;
-        let order = self.model.order().clone().moving(names.to_vec());
-        let mut sum = Normal::of(&Expr::number(0))?;
-        for (entry, name) in entries[row].iter().zip(names) {
-            sum = sum.plus(&entry.times(&Normal::of(&Expr::name(name.clone()))?)?)?;
-        }
-        let written = |own: &Normal| own.to_bracket(self.model.order());
-        // The sign goes where it makes the fewest.
-        let (own, other) = (&entries[row][0], &entries[row][1]);
-        let ratio = if other.has_negative_coefficients_alone() {
-            written(own) / written(&other.negated())
-        } else {
-            -(written(own) / written(other))
-        };
-        let names = Expr::name(second.clone()) / Expr::name(first.clone());
-        Ok(vec![Step {
-            reason: Reason::Row(row),
-            lines: vec![
-                Line::exact([sum.to_expr(&order), Expr::number(0)].map(Side::Formula)),
-                Line::exact([names, ratio].map(Side::Formula)),
-            ],
-        }])
+/// A row of (K − ω² M) u = 0 that joins the two coordinates, and the ratio that it gives.
+pub(crate) fn row(deriver: &Deriver<'_>, mode: usize) -> Result<Vec<Step>, Unavailable> {
+    let names = deriver.model.coordinates();
+    let [first, second] = names else {
+        return Err(Unavailable::SeveralCoordinates);
+    };
+    let frequency = Name::new(format!("omega{}", mode + 1));
+    let entries = stiffness_less_inertia(deriver, &frequency)?;
+    // In a row without the other coordinate nothing says how large that one is.
+    let joined = [(0, 1), (1, 0)];
+    let joined = joined
+        .into_iter()
+        .find(|(row, other)| !entries[*row][*other].is_zero());
+    let (row, _) = joined.ok_or(Unavailable::NoFormula)?;
+    let order = deriver.model.order().clone().moving(names.to_vec());
+    let mut sum = Normal::of(&Expr::number(0))?;
+    for (entry, name) in entries[row].iter().zip(names) {
+        sum = sum.plus(&entry.times(&Normal::of(&Expr::name(name.clone()))?)?)?;
     }
+    let written = |own: &Normal| own.to_bracket(deriver.model.order());
+    // The sign goes where it makes the fewest.
+    let (own, other) = (&entries[row][0], &entries[row][1]);
+    let ratio = if other.has_negative_coefficients_alone() {
+        written(own) / written(&other.negated())
+    } else {
+        -(written(own) / written(other))
+    };
+    let names = Expr::name(second.clone()) / Expr::name(first.clone());
+    Ok(vec![Step {
+        reason: Reason::Row(row),
+        lines: vec![
+            Line::exact([sum.to_expr(&order), Expr::number(0)].map(Side::Formula)),
+            Line::exact([names, ratio].map(Side::Formula)),
+        ],
+    }])
+}
 
-    /// K − ω² M with this letter for ω.
-    fn stiffness_less_inertia(&self, frequency: &Name) -> Result<Matrix, Unavailable> {
-        if self.model.degrees_of_freedom() > MAX_COORDINATES {
-            return Err(Unavailable::SeveralCoordinates);
-        }
-        let linear = self.model.linear().ok_or(Unavailable::NoFormula)?;
-        let square = Normal::of(&Expr::name(frequency.clone()).squared())?.negated();
-        let rows = linear.stiffness.iter().zip(&linear.mass);
-        let row = |(stiffness, mass): (&Vec<Normal>, &Vec<Normal>)| {
-            let entries = stiffness.iter().zip(mass);
-            let entry =
-                |(stiffness, mass): (&Normal, &Normal)| stiffness.plus(&mass.times(&square)?);
-            entries.map(entry).collect::<Result<Vec<_>, _>>()
-        };
-        Ok(rows.map(row).collect::<Result<_, _>>()?)
+/// K − ω² M with this letter for ω.
+fn stiffness_less_inertia(deriver: &Deriver<'_>, frequency: &Name) -> Result<Matrix, Unavailable> {
+    if deriver.model.degrees_of_freedom() > MAX_COORDINATES {
+        return Err(Unavailable::SeveralCoordinates);
     }
+    let linear = deriver.model.linear().ok_or(Unavailable::NoFormula)?;
+    let square = Normal::of(&Expr::name(frequency.clone()).squared())?.negated();
+    let rows = linear.stiffness.iter().zip(&linear.mass);
+    let row = |(stiffness, mass): (&Vec<Normal>, &Vec<Normal>)| {
+        let entries = stiffness.iter().zip(mass);
+        let entry = |(stiffness, mass): (&Normal, &Normal)| stiffness.plus(&mass.times(&square)?);
+        entries.map(entry).collect::<Result<Vec<_>, _>>()
+    };
+    Ok(rows.map(row).collect::<Result<_, _>>()?)
 }

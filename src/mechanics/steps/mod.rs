@@ -14,7 +14,9 @@ mod tests;
 mod ways;
 
 pub use bodies::NewtonError;
+pub(crate) use bodies::prove_newton;
 pub use statics::Letters;
+pub(crate) use statics::statics;
 pub use ways::Way;
 
 use std::collections::BTreeSet;
@@ -161,7 +163,7 @@ impl<'m> Deriver<'m> {
 
     /// A formula in coordinates alone.
     fn resolved(&self, formula: &Expr) -> Result<Expr, Unavailable> {
-        let key = super::Key::Kinematics;
+        let key = super::DefinitionKey::Kinematics;
         self.kinematics
             .apply(key, formula)
             .map_err(|_| Unavailable::NoFormula)
@@ -232,27 +234,16 @@ fn is_zero(formula: &Expr) -> Result<bool, SymbolicError> {
     Ok(formula.is_zero() || Normal::of(formula)?.is_zero())
 }
 
-impl Model {
-    /// The lines of a derivation in letters; none for [`Way::TurningPoints`], which needs numbers. For [`Way::Static`] see
-    /// `Model::statics`, which needs a second model.
-    ///
-    /// # Errors
-    ///
-    /// [`Unavailable::NoFormula`] where an equation has no closed form, [`Unavailable::SeveralCoordinates`], and what stands in the
-    /// way of calculating with the formulas.
-    pub fn derivation(&self, way: Way) -> Result<Vec<Step>, Unavailable> {
-        let deriver = Deriver::of(self)?;
-        match way {
-            Way::Lagrange(at) => deriver.lagrange(at),
-            Way::Energy => deriver.energy(),
-            Way::Newton => deriver.newton(),
-            Way::Characteristic => deriver.characteristic(),
-            Way::Row(mode) => deriver.row(mode),
-            Way::Static => Err(Unavailable::NothingStatic),
-            Way::TurningPoints if self.definition.friction.is_empty() => {
-                Err(Unavailable::NoFriction)
-            }
-            Way::TurningPoints => Ok(Vec::new()),
-        }
+pub(crate) fn derivation(model: &Model, way: Way) -> Result<Vec<Step>, Unavailable> {
+    let deriver = Deriver::of(model)?;
+    match way {
+        Way::Lagrange(at) => lagrange::lagrange(&deriver, at),
+        Way::Energy => energy::energy(&deriver),
+        Way::Newton => bodies::newton(&deriver),
+        Way::Characteristic => frequencies::characteristic(&deriver),
+        Way::Row(mode) => frequencies::row(&deriver, mode),
+        Way::Static => Err(Unavailable::NothingStatic),
+        Way::TurningPoints if model.definition.friction.is_empty() => Err(Unavailable::NoFriction),
+        Way::TurningPoints => Ok(Vec::new()),
     }
 }

@@ -1,7 +1,7 @@
 //! The balance at rest: what weights and pre-stretches do to a system that is described from its equilibrium, and why
 //! they drop out of its motion.
 
-use super::{Deriver, Line, Reason, Side, Step, Term, Unavailable};
+use super::{Deriver, Line, Reason, Side, Step, Term, Unavailable, lagrange};
 use crate::expr::{Expr, Name, Normal, Substitution, Variable};
 use crate::mechanics::Model;
 
@@ -11,103 +11,93 @@ const MAX_CHAIN_LENGTH: usize = 20;
 /// What letters of a model stand for, each as a formula.
 pub type Letters = [(Name, Expr)];
 
-impl Model {
-    /// The lines of the balance at rest of a model with weights and pre-stretches, and of what is left of it in motion,
-    /// which has to be `reduced`, the model without them. `letters` says what its letters for static stretches stand for.
-    ///
-    /// # Errors
-    ///
-    /// [`Unavailable::NotAtRest`] if forces are left at rest, [`Unavailable::NothingStatic`] if none are balanced,
-    /// [`Unavailable::AnotherMotion`] if the motion is not that of `reduced`, and what stands in the way of calculating with the
-    /// formulas.
-    pub(crate) fn statics(
-        &self,
-        reduced: &Self,
-        letters: &Letters,
-    ) -> Result<Vec<Step>, Unavailable> {
-        let deriver = Deriver::of(self)?;
-        let names = self.coordinates();
-        if reduced.coordinates() != names {
-            return Err(Unavailable::AnotherMotion {
-                coordinate: names[0].clone(),
-                difference: "the coordinates differ".to_owned(),
-            });
-        }
-        let (mut rest, mut values, mut motion) = (Vec::new(), Vec::new(), Vec::new());
-        let mut used = Vec::new();
-        for (at, name) in names.iter().enumerate() {
-            self.prove_motion(at, reduced, letters)?;
-            let position = Variable::of(name, 0);
-            let potential = &self.definition.potential;
-            let Some(force) = deriver.derivative(potential, &position, &mut used)? else {
-                continue;
-            };
-            let balance = at_rest(&force.collected, names)?;
-            if !balance.is_zero() {
-                if !opened(&balance, letters)?.is_zero() {
-                    return Err(Unavailable::NotAtRest {
-                        coordinate: name.clone(),
-                    });
-                }
-                let sides = [deriver.collected(&balance), Expr::number(0)].map(Side::Formula);
-                let term = Side::term(Term::Potential(name.clone()));
-                rest.push(Line::exact(std::iter::once(term).chain(sides)));
-                for (letter, formula) in letters {
-                    let line = [Expr::name(letter.clone()), formula.clone()];
-                    let line = Line::exact(line.map(Side::Formula));
-                    // What the other model has, too, is no static displacement.
-                    let is_static = balance.mentions(letter) && !reduced.names().contains(letter);
-                    if is_static && !values.contains(&line) {
-                        values.push(line);
-                    }
+pub(crate) fn statics(
+    model: &Model,
+    reduced: &Model,
+    letters: &Letters,
+) -> Result<Vec<Step>, Unavailable> {
+    let deriver = Deriver::of(model)?;
+    let names = model.coordinates();
+    if reduced.coordinates() != names {
+        return Err(Unavailable::AnotherMotion {
+            coordinate: names[0].clone(),
+            difference: "the coordinates differ".to_owned(),
+        });
+    }
+    let (mut rest, mut values, mut motion) = (Vec::new(), Vec::new(), Vec::new());
+    let mut used = Vec::new();
+    for (at, name) in names.iter().enumerate() {
+        prove_motion(model, at, reduced, letters)?;
+        let position = Variable::of(name, 0);
+        let potential = &model.definition.potential;
+        let Some(force) = lagrange::derivative(&deriver, potential, &position, &mut used)? else {
+            continue;
+        };
+        let balance = at_rest(&force.collected, names)?;
+        if !balance.is_zero() {
+            if !opened(&balance, letters)?.is_zero() {
+                return Err(Unavailable::NotAtRest {
+                    coordinate: name.clone(),
+                });
+            }
+            let sides = [deriver.collected(&balance), Expr::number(0)].map(Side::Formula);
+            let term = Side::term(Term::Potential(name.clone()));
+            rest.push(Line::exact(std::iter::once(term).chain(sides)));
+            for (letter, formula) in letters {
+                let line = [Expr::name(letter.clone()), formula.clone()];
+                let line = Line::exact(line.map(Side::Formula));
+                // What the other model has, too, is no static displacement.
+                let is_static = balance.mentions(letter) && !reduced.names().contains(letter);
+                if is_static && !values.contains(&line) {
+                    values.push(line);
                 }
             }
-            let mut sides = vec![Side::term(Term::Potential(name.clone()))];
-            sides.extend(force.sides());
-            let left = reduced.residuals[at].plus(&self.residuals[at].negated())?;
-            let left = force.collected.plus(&left)?;
-            sides.push(Side::Formula(deriver.collected(&left)));
-            sides.dedup();
-            motion.push(Line::exact(sides));
         }
-        if rest.is_empty() {
-            return Err(Unavailable::NothingStatic);
-        }
-        let mut steps: Vec<Step> = deriver.relations(&used)?.into_iter().collect();
-        steps.push(Step {
-            reason: Reason::AtRest,
-            lines: rest,
-        });
-        if !values.is_empty() {
-            steps.push(Step {
-                reason: Reason::Letters,
-                lines: values,
-            });
-        }
-        steps.push(Step {
-            reason: Reason::InMotion,
-            lines: motion,
-        });
-        Ok(steps)
+        let mut sides = vec![Side::term(Term::Potential(name.clone()))];
+        sides.extend(force.sides());
+        let left = reduced.residuals[at].plus(&model.residuals[at].negated())?;
+        let left = force.collected.plus(&left)?;
+        sides.push(Side::Formula(deriver.collected(&left)));
+        sides.dedup();
+        motion.push(Line::exact(sides));
     }
+    if rest.is_empty() {
+        return Err(Unavailable::NothingStatic);
+    }
+    let mut steps: Vec<Step> = deriver.relations(&used)?.into_iter().collect();
+    steps.push(Step {
+        reason: Reason::AtRest,
+        lines: rest,
+    });
+    if !values.is_empty() {
+        steps.push(Step {
+            reason: Reason::Letters,
+            lines: values,
+        });
+    }
+    steps.push(Step {
+        reason: Reason::InMotion,
+        lines: motion,
+    });
+    Ok(steps)
+}
 
-    /// Along a coordinate nothing but the balance at rest tells the two models apart.
-    fn prove_motion(
-        &self,
-        at: usize,
-        reduced: &Self,
-        letters: &Letters,
-    ) -> Result<(), Unavailable> {
-        let difference = self.residuals[at].plus(&reduced.residuals[at].negated())?;
-        let difference = opened(&difference, letters)?;
-        if difference.is_zero() {
-            return Ok(());
-        }
-        Err(Unavailable::AnotherMotion {
-            coordinate: self.coordinates()[at].clone(),
-            difference: difference.to_expr(self.order()).to_string(),
-        })
+/// Along a coordinate nothing but the balance at rest tells the two models apart.
+fn prove_motion(
+    model: &Model,
+    at: usize,
+    reduced: &Model,
+    letters: &Letters,
+) -> Result<(), Unavailable> {
+    let difference = model.residuals[at].plus(&reduced.residuals[at].negated())?;
+    let difference = opened(&difference, letters)?;
+    if difference.is_zero() {
+        return Ok(());
     }
+    Err(Unavailable::AnotherMotion {
+        coordinate: model.coordinates()[at].clone(),
+        difference: difference.to_expr(model.order()).to_string(),
+    })
 }
 
 /// A force where all coordinates are zero.

@@ -36,28 +36,26 @@ impl Way {
         "turning_points",
         "static",
     ];
-}
 
-impl Model {
     /// The derivation that a path names, without its beginning (`model` or `models.<name>`).
     ///
     /// # Errors
     ///
     /// As for [`Model::quantity`].
-    pub fn way(&self, path: &[Name]) -> Result<Way, QuantityError> {
+    pub fn of(model: &Model, path: &[Name]) -> Result<Self, QuantityError> {
         let unknown = |name: &str| QuantityError::Unknown {
             name: Name::new(name),
-            nearest: crate::source::nearest(name, Way::NAMES),
+            nearest: crate::source::nearest(name, Self::NAMES),
         };
         let (name, rest) = path.split_first().ok_or_else(|| unknown(""))?;
         let way = match name.as_str() {
-            "lagrange" => return self.along(name, rest).map(Way::Lagrange),
-            "energy" => Way::Energy,
-            "newton" => Way::Newton,
-            "characteristic" => Way::Characteristic,
-            "turning_points" => Way::TurningPoints,
-            "static" => Way::Static,
-            "row" => return self.mode(rest).map(Way::Row),
+            "lagrange" => return along(model, name, rest).map(Self::Lagrange),
+            "energy" => Self::Energy,
+            "newton" => Self::Newton,
+            "characteristic" => Self::Characteristic,
+            "turning_points" => Self::TurningPoints,
+            "static" => Self::Static,
+            "row" => return mode(model, rest).map(Self::Row),
             name => return Err(unknown(name)),
         };
         match rest.first() {
@@ -67,36 +65,36 @@ impl Model {
             None => Ok(way),
         }
     }
+}
 
-    /// The mode of a path, which counts from 1.
-    fn mode(&self, rest: &[Name]) -> Result<usize, QuantityError> {
-        let number = rest.first().cloned().unwrap_or_else(|| Name::new("row"));
-        let count = match rest {
-            [number] => number.as_str().parse().ok(),
-            _ => None,
-        };
-        count
-            .and_then(|count: usize| count.checked_sub(1))
-            .filter(|mode| *mode < self.degrees_of_freedom())
-            .ok_or(QuantityError::NotACoordinate { name: number })
-    }
+/// The mode of a path, which counts from 1.
+fn mode(model: &Model, rest: &[Name]) -> Result<usize, QuantityError> {
+    let number = rest.first().cloned().unwrap_or_else(|| Name::new("row"));
+    let count = match rest {
+        [number] => number.as_str().parse().ok(),
+        _ => None,
+    };
+    count
+        .and_then(|count: usize| count.checked_sub(1))
+        .filter(|mode| *mode < model.degrees_of_freedom())
+        .ok_or(QuantityError::NotACoordinate { name: number })
+}
 
-    /// The coordinate of a path; it may be omitted if there is one alone.
-    fn along(&self, name: &Name, rest: &[Name]) -> Result<usize, QuantityError> {
-        match rest {
-            [] if self.degrees_of_freedom() == 1 => Ok(0),
-            [] => Err(QuantityError::NoCoordinate {
-                name: name.clone(),
-                first: self.coordinates()[0].clone(),
-            }),
-            [own] => {
-                let mut coordinates = self.coordinates().iter();
-                let at = coordinates.position(|coordinate| coordinate == own);
-                at.ok_or_else(|| QuantityError::NotACoordinate { name: own.clone() })
-            }
-            [_, extra, ..] => Err(QuantityError::NotACoordinate {
-                name: extra.clone(),
-            }),
+/// The coordinate of a path; it may be omitted if there is one alone.
+fn along(model: &Model, name: &Name, rest: &[Name]) -> Result<usize, QuantityError> {
+    match rest {
+        [] if model.degrees_of_freedom() == 1 => Ok(0),
+        [] => Err(QuantityError::NoCoordinate {
+            name: name.clone(),
+            first: model.coordinates()[0].clone(),
+        }),
+        [own] => {
+            let mut coordinates = model.coordinates().iter();
+            let at = coordinates.position(|coordinate| coordinate == own);
+            at.ok_or_else(|| QuantityError::NotACoordinate { name: own.clone() })
         }
+        [_, extra, ..] => Err(QuantityError::NotACoordinate {
+            name: extra.clone(),
+        }),
     }
 }

@@ -9,7 +9,7 @@ use std::process::{Command, Stdio};
 use vibank::answer::AnswerKind;
 use vibank::diagnostic::codes::PAGES;
 use vibank::expr::Function;
-use vibank::mechanics::Model;
+use vibank::mechanics::Quantity;
 use vibank::unit::KnownUnit;
 
 /// What the program prints to standard output, given these lines to read.
@@ -195,7 +195,7 @@ fn listed(heading: &str) -> BTreeSet<String> {
 
 #[test]
 fn the_table_of_models_has_all_quantities_and_no_other() {
-    let known: BTreeSet<String> = Model::quantity_names().map(str::to_owned).collect();
+    let known: BTreeSet<String> = Quantity::names().map(str::to_owned).collect();
     assert_eq!(listed("A model offers these quantities"), known);
 }
 
