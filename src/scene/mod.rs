@@ -10,7 +10,6 @@ mod film;
 mod lines;
 mod motion;
 mod notation;
-mod picture;
 mod plot;
 mod proof;
 mod steps;
@@ -29,6 +28,9 @@ use sha2::{Digest, Sha256};
 use crate::answer::AnswerKind;
 use crate::bank::{Passage, Piece};
 use crate::document::{Document, Filling};
+use crate::expr::Name;
+use crate::figure::plot::Picture as PlotPicture;
+use crate::figure::{FreeError, Given, Picture};
 use crate::math::Math;
 use crate::message::{Language, Phrase};
 use crate::quantity::Absent;
@@ -228,7 +230,7 @@ impl<'s, 't> Scene<'s, 't> {
 
     fn piece<'p>(&self, piece: &'p Piece) -> Shown<'p> {
         let places = piece.document.placeholders().iter().zip(&piece.targets);
-        let fillings = places.map(|(place, target)| self.filling(target, place.form));
+        let fillings = places.map(|(place, target)| fill::filling(self, target, place.form));
         let mut shown = Shown {
             document: Cow::Borrowed(&piece.document),
             fillings: fillings.collect(),
@@ -241,5 +243,63 @@ impl<'s, 't> Scene<'s, 't> {
             }
         }
         shown
+    }
+
+    /// The figure; `None` where the item has none, or where its places have no value for these data.
+    pub fn picture(&self) -> Option<Picture> {
+        let figure = self.solution.template().figure.as_ref()?;
+        self.solution.note_figure();
+        figure.picture(self, &self.scope(), &self.language).ok()
+    }
+
+    /// The free-body diagrams; `None` where the item has none.
+    ///
+    /// # Errors
+    ///
+    /// [`FreeError`] where they do not show the forces of the model for these data.
+    pub fn free_picture(&self) -> Option<Result<Picture, FreeError>> {
+        let figure = self.solution.template().figure.as_ref()?;
+        let id = format!("{}-free", self.scope());
+        figure
+            .has_free()
+            .then(|| figure.free_picture(self, &id, &self.language))
+    }
+
+    /// The motions that can be shown for these data.
+    pub fn runs(&self) -> Vec<Run> {
+        film::runs(self)
+    }
+
+    /// A motion with its pictures; nothing where there is none for these data. `id` begins all identities in it.
+    pub fn moving(&self, run: Run, id: &str) -> Option<Moving> {
+        film::moving(self, run, id)
+    }
+
+    /// The figure with both extremes of a mode, numbered from 0; `None` where the item has no such mode for these data.
+    pub fn mode_picture(&self, number: usize) -> Option<Picture> {
+        motion::picture(self, number)
+    }
+
+    /// A plot of the item, drawn for these data.
+    ///
+    /// # Errors
+    ///
+    /// [`Undrawn`].
+    pub fn plot(&self, name: &str) -> Result<PlotPicture, Undrawn> {
+        plot::picture(self, name)
+    }
+}
+
+impl Given for Scene<'_, '_> {
+    fn number(&self, name: &Name) -> Option<f64> {
+        let node = self.solution.template().graph.find(name)?;
+        self.solution.evaluation().real(node).ok()
+    }
+
+    fn value(&self, name: &Name) -> Option<Math> {
+        let template = self.solution.template();
+        let node = template.graph.find(name)?;
+        let info = template.info(node).filter(|info| info.units.is_some())?;
+        Some(fill::value(self, node, info))
     }
 }

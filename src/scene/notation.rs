@@ -1,6 +1,6 @@
 //! How the names of an item stand in its formulas: as symbols, or as numbers substituted for them.
 
-use super::Scene;
+use super::{Scene, fill};
 use crate::bank::Units;
 use crate::expr::{Name, Notation, Symbol, SymbolKind};
 use crate::math::symbol;
@@ -46,7 +46,7 @@ impl Notation for Quantities<'_, '_, '_> {
         let Some((node, info)) = known.filter(|(_, info)| info.units.is_some()) else {
             return Symbols(scene.solution()).name(name);
         };
-        let math = scene.value(node, info);
+        let math = fill::value(scene, node, info);
         match scene.solution().evaluation().real(node) {
             Ok(number) if number < 0.0 => Symbol {
                 math,

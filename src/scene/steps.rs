@@ -1,9 +1,9 @@
 //! Derivations as lines: those of a model, and the way from a formula to its value.
 
 use super::Scene;
-use super::concrete;
 use super::lines::{SetChain, aligned};
 use super::notation::{Quantities, Symbols};
+use super::{concrete, fill, turns};
 use crate::bank::QuantityInfo;
 use crate::document::{Filling, Step as Shown};
 use crate::expr::{Expr, Kind, Name, Notation, Path};
@@ -14,123 +14,121 @@ use crate::quantity::{Graph, NodeId};
 /// Characters of a formula with its helpers opened beyond which nobody follows the numbers in it.
 const MAX_WORKED_LENGTH: usize = 90;
 
-impl Scene<'_, '_> {
-    /// The derivation that a path asks for.
-    pub(crate) fn steps(&self, path: &Path) -> Filling {
-        let graph = &self.solution.template().graph;
-        if let Some((_, Way::TurningPoints)) = graph.way(path) {
-            return self.turning_points(path);
-        }
-        let steps = graph.lines(path).and_then(Result::ok).unwrap_or_default();
-        Filling::Steps(steps.iter().map(|step| self.step(step)).collect())
+/// The derivation that a path asks for.
+pub(crate) fn filling(scene: &Scene<'_, '_>, path: &Path) -> Filling {
+    let graph = &scene.solution.template().graph;
+    if let Some((_, Way::TurningPoints)) = graph.way(path) {
+        return turns::filling(scene, path);
     }
+    let steps = graph.lines(path).and_then(Result::ok).unwrap_or_default();
+    Filling::Steps(steps.iter().map(|step| shown_step(scene, step)).collect())
+}
 
-    fn step(&self, step: &Step) -> Shown {
-        let mut lines: Vec<SetChain> = step.lines.iter().map(|line| self.line(line)).collect();
-        // What differs in its order alone is printed once.
-        lines.dedup_by(|line, before| line.sides == before.sides);
-        Shown {
-            words: self.language.step(&step.reason, &Symbols(self.solution)),
-            lines: aligned(&lines),
-        }
+fn shown_step(scene: &Scene<'_, '_>, step: &Step) -> Shown {
+    let mut lines: Vec<SetChain> = step.lines.iter().map(|line| chain(scene, line)).collect();
+    // What differs in its order alone is printed once.
+    lines.dedup_by(|line, before| line.sides == before.sides);
+    Shown {
+        words: scene.language.step(&step.reason, &Symbols(scene.solution)),
+        lines: aligned(&lines),
     }
+}
 
-    fn line(&self, line: &Line) -> SetChain {
-        let notation = Symbols(self.solution);
-        let mut sides: Vec<Math> = Vec::new();
-        for side in &line.sides {
-            let math = Self::side(side, &notation);
-            // What differs as a formula may be printed alike, 2·(½ k x) and k x.
-            if sides.last() != Some(&math) {
-                sides.push(math);
-            }
-        }
-        SetChain {
-            sides,
-            is_approximate: line.is_approximate,
+fn chain(scene: &Scene<'_, '_>, line: &Line) -> SetChain {
+    let notation = Symbols(scene.solution);
+    let mut sides: Vec<Math> = Vec::new();
+    for side in &line.sides {
+        let math = set_side(side, &notation);
+        // What differs as a formula may be printed alike, 2·(½ k x) and k x.
+        if sides.last() != Some(&math) {
+            sides.push(math);
         }
     }
+    SetChain {
+        sides,
+        is_approximate: line.is_approximate,
+    }
+}
 
-    fn side(side: &Side, notation: &dyn Notation) -> Math {
-        match side {
-            Side::Formula(formula) => formula.typeset(notation),
-            Side::Determinant(rows) => {
-                let row = |row: &Vec<Expr>| row.iter().map(|own| own.typeset(notation)).collect();
-                let table = Math::Table {
-                    rows: rows.iter().map(row).collect(),
-                    kind: TableKind::Matrix,
-                };
-                table.fenced("|", "|")
-            }
-            Side::Terms(terms) if terms.is_empty() => Math::number("0"),
-            Side::Terms(terms) => {
-                let mut row = Vec::new();
-                for (is_subtracted, term) in terms {
-                    match (is_subtracted, row.is_empty()) {
-                        (true, true) => row.push(Math::prefix("−")),
-                        (true, false) => row.push(Math::binary("−")),
-                        (false, true) => {}
-                        (false, false) => row.push(Math::binary("+")),
-                    }
-                    row.push(Self::term(term, notation));
+fn set_side(side: &Side, notation: &dyn Notation) -> Math {
+    match side {
+        Side::Formula(formula) => formula.typeset(notation),
+        Side::Determinant(rows) => {
+            let row = |row: &Vec<Expr>| row.iter().map(|own| own.typeset(notation)).collect();
+            let table = Math::Table {
+                rows: rows.iter().map(row).collect(),
+                kind: TableKind::Matrix,
+            };
+            table.fenced("|", "|")
+        }
+        Side::Terms(terms) if terms.is_empty() => Math::number("0"),
+        Side::Terms(terms) => {
+            let mut row = Vec::new();
+            for (is_subtracted, term) in terms {
+                match (is_subtracted, row.is_empty()) {
+                    (true, true) => row.push(Math::prefix("−")),
+                    (true, false) => row.push(Math::binary("−")),
+                    (false, true) => {}
+                    (false, false) => row.push(Math::binary("+")),
                 }
-                Math::row(row)
+                row.push(set_term(term, notation));
             }
+            Math::row(row)
         }
     }
+}
 
-    fn term(term: &Term, notation: &dyn Notation) -> Math {
-        let symbol = |name: &Name| notation.name(name).math;
-        let partial = |above: &str, below: Math| {
-            let sign = || Math::operator("∂", Class::Ordinary);
-            let letter = Math::identifier(above, crate::math::Style::Default);
-            Math::fraction(Math::row([sign(), letter]), Math::row([sign(), below]))
-        };
-        let rate = |of: Math| {
-            let (above, below) = (Math::upright("d"), Math::letter('t'));
-            let derivative = Math::fraction(above, Math::row([Math::upright("d"), below]));
-            Math::row([derivative, Math::thin_space(), of])
-        };
-        match term {
-            Term::Momentum(name) => partial("T", symbol(name).derivative(1)),
-            Term::MomentumRate(name) => rate(partial("T", symbol(name).derivative(1))),
-            Term::Kinetic(name) => partial("T", symbol(name)),
-            Term::Potential(name) => partial("V", symbol(name)),
-            Term::Dissipation(name) => partial("D", symbol(name).derivative(1)),
-            Term::Force(name) => Math::letter('Q').with_sub(symbol(name)),
-            Term::Energy => Math::row([Math::letter('T'), Math::binary("+"), Math::letter('V')]),
-            Term::EnergyRate => {
-                let sum = [Math::letter('T'), Math::binary("+"), Math::letter('V')];
-                rate(Math::row(sum).in_parentheses())
-            }
-            Term::Power => Math::letter('P'),
+fn set_term(term: &Term, notation: &dyn Notation) -> Math {
+    let symbol = |name: &Name| notation.name(name).math;
+    let partial = |above: &str, below: Math| {
+        let sign = || Math::operator("∂", Class::Ordinary);
+        let letter = Math::identifier(above, crate::math::Style::Default);
+        Math::fraction(Math::row([sign(), letter]), Math::row([sign(), below]))
+    };
+    let rate = |of: Math| {
+        let (above, below) = (Math::upright("d"), Math::letter('t'));
+        let derivative = Math::fraction(above, Math::row([Math::upright("d"), below]));
+        Math::row([derivative, Math::thin_space(), of])
+    };
+    match term {
+        Term::Momentum(name) => partial("T", symbol(name).derivative(1)),
+        Term::MomentumRate(name) => rate(partial("T", symbol(name).derivative(1))),
+        Term::Kinetic(name) => partial("T", symbol(name)),
+        Term::Potential(name) => partial("V", symbol(name)),
+        Term::Dissipation(name) => partial("D", symbol(name).derivative(1)),
+        Term::Force(name) => Math::letter('Q').with_sub(symbol(name)),
+        Term::Energy => Math::row([Math::letter('T'), Math::binary("+"), Math::letter('V')]),
+        Term::EnergyRate => {
+            let sum = [Math::letter('T'), Math::binary("+"), Math::letter('V')];
+            rate(Math::row(sum).in_parentheses())
         }
+        Term::Power => Math::letter('P'),
     }
+}
 
-    /// Formula, data substituted, value, and the value in the unit in which a part asks for it.
-    pub(crate) fn worked(&self, node: NodeId, info: &QuantityInfo) -> Filling {
-        let graph = &self.solution.template().graph;
-        let formula = graph.expr(node).and_then(|expr| {
-            let expr = concrete::concrete(self.solution, expr);
-            opened(self.solution.template(), &expr)
-        });
-        let mut sides = vec![Math::clone(&info.symbol)];
-        if let Some(formula) = formula {
-            sides.push(formula.typeset(&Symbols(self.solution)));
-            sides.push(formula.typeset(&Quantities(self)));
-        }
-        sides.push(self.value(node, info));
-        sides.extend(self.value_as_asked(node, info));
-        sides.dedup();
-        let line = SetChain {
-            sides,
-            is_approximate: false,
-        };
-        Filling::Steps(vec![Shown {
-            words: Vec::new(),
-            lines: aligned(&[line]),
-        }])
+/// Formula, data substituted, value, and the value in the unit in which a part asks for it.
+pub(crate) fn worked(scene: &Scene<'_, '_>, node: NodeId, info: &QuantityInfo) -> Filling {
+    let graph = &scene.solution.template().graph;
+    let formula = graph.expr(node).and_then(|expr| {
+        let expr = concrete::concrete(scene.solution, expr);
+        opened(scene.solution.template(), &expr)
+    });
+    let mut sides = vec![Math::clone(&info.symbol)];
+    if let Some(formula) = formula {
+        sides.push(formula.typeset(&Symbols(scene.solution)));
+        sides.push(formula.typeset(&Quantities(scene)));
     }
+    sides.push(fill::value(scene, node, info));
+    sides.extend(fill::value_as_asked(scene, node, info));
+    sides.dedup();
+    let line = SetChain {
+        sides,
+        is_approximate: false,
+    };
+    Filling::Steps(vec![Shown {
+        words: Vec::new(),
+        lines: aligned(&[line]),
+    }])
 }
 
 /// Why a quantity cannot be worked out line by line; `None` where it can.

@@ -19,57 +19,55 @@ const LAST_LINES: usize = 2;
 /// Turning points that are sought; where more come, the end is not shown.
 const MAX_POINTS: usize = 500;
 
-impl Scene<'_, '_> {
-    pub(crate) fn turning_points(&self, path: &Path) -> Filling {
-        let evaluation = self.solution.evaluation();
-        let Some(turns) = evaluation.turning_points(path, MAX_POINTS) else {
-            return Filling::Steps(Vec::new());
-        };
-        let digits = u32::from(self.solution.template().about.digits);
-        let mark = self.solution.mark();
-        let value = |si: f64, unit: Unit| {
-            let number = Decimal::rounded(unit.of_si(si), digits).unwrap_or(Decimal::ZERO);
-            Quantity::new(number, unit).math(mark)
-        };
-        let (length, force) = units(turns.dimension);
-        let coordinate = Symbols(self.solution).name(&turns.coordinate).math;
-        let line = |at: usize| {
-            let point = &turns.points[at];
-            let number = Math::number((turns.first + at).to_string());
-            let relation = if point.is_held { "≤" } else { ">" };
-            let sides = [
-                value(point.position, length),
-                Math::row([
-                    Math::punctuation(":"),
-                    Math::Space(18),
-                    value(point.pull, force),
-                    Math::relation(relation),
-                    value(turns.holding, force),
-                ]),
-            ];
-            SetChain {
-                sides: vec![coordinate.clone().with_sub(number), Math::row(sides)],
-                is_approximate: false,
-            }
-        };
-        let count = turns.points.len();
-        let set = |places: std::ops::Range<usize>| aligned(&places.map(line).collect::<Vec<_>>());
-        let lines = if count <= MAX_LINES {
-            set(0..count)
-        } else {
-            let mut lines = set(0..FIRST_LINES);
-            lines.push([
-                Math::row([]),
-                Math::text(self.language.phrase(&Phrase::AndSoOnUntil)),
-            ]);
-            lines.extend(set(count - LAST_LINES..count));
-            lines
-        };
-        Filling::Steps(vec![Shown {
-            words: vec![Inline::Text(self.language.phrase(&Phrase::TurningPoints))],
-            lines,
-        }])
-    }
+pub(crate) fn filling(scene: &Scene<'_, '_>, path: &Path) -> Filling {
+    let evaluation = scene.solution.evaluation();
+    let Some(turns) = evaluation.turning_points(path, MAX_POINTS) else {
+        return Filling::Steps(Vec::new());
+    };
+    let digits = u32::from(scene.solution.template().about.digits);
+    let mark = scene.solution.mark();
+    let value = |si: f64, unit: Unit| {
+        let number = Decimal::rounded(unit.of_si(si), digits).unwrap_or(Decimal::ZERO);
+        Quantity::new(number, unit).math(mark)
+    };
+    let (length, force) = units(turns.dimension);
+    let coordinate = Symbols(scene.solution).name(&turns.coordinate).math;
+    let line = |at: usize| {
+        let point = &turns.points[at];
+        let number = Math::number((turns.first + at).to_string());
+        let relation = if point.is_held { "≤" } else { ">" };
+        let sides = [
+            value(point.position, length),
+            Math::row([
+                Math::punctuation(":"),
+                Math::Space(18),
+                value(point.pull, force),
+                Math::relation(relation),
+                value(turns.holding, force),
+            ]),
+        ];
+        SetChain {
+            sides: vec![coordinate.clone().with_sub(number), Math::row(sides)],
+            is_approximate: false,
+        }
+    };
+    let count = turns.points.len();
+    let set = |places: std::ops::Range<usize>| aligned(&places.map(line).collect::<Vec<_>>());
+    let lines = if count <= MAX_LINES {
+        set(0..count)
+    } else {
+        let mut lines = set(0..FIRST_LINES);
+        lines.push([
+            Math::row([]),
+            Math::text(scene.language.phrase(&Phrase::AndSoOnUntil)),
+        ]);
+        lines.extend(set(count - LAST_LINES..count));
+        lines
+    };
+    Filling::Steps(vec![Shown {
+        words: vec![Inline::Text(scene.language.phrase(&Phrase::TurningPoints))],
+        lines,
+    }])
 }
 
 /// The coherent units of a coordinate and of what acts along it.
@@ -144,7 +142,7 @@ mod tests {
         let template = catalogue.find("ch3/t7-mu-from-decay").expect("an item");
         let solution = Solution::of(Instance::of_source(template));
         let scene = Scene::of(&solution, Data::Both);
-        let Filling::Steps(steps) = scene.turning_points(&path()) else {
+        let Filling::Steps(steps) = filling(&scene, &path()) else {
             panic!("lines");
         };
         let last = steps[0].lines.last().expect("a line")[1].plain();
@@ -159,7 +157,7 @@ mod tests {
             .find(|own| own.id.as_str().starts_with("ch3/p1-"));
         let solution = Solution::of(Instance::of_source(template.expect("it is in the bank")));
         let scene = Scene::of(&solution, Data::Both);
-        let Filling::Steps(steps) = scene.turning_points(&path()) else {
+        let Filling::Steps(steps) = filling(&scene, &path()) else {
             panic!("lines");
         };
         let lines: Vec<String> = steps[0]

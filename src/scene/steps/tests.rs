@@ -296,7 +296,7 @@ fn mark(
         let sides = line
             .sides
             .iter()
-            .map(|side| Scene::side(side, &Symbols(&solution)).latex());
+            .map(|side| set_side(side, &Symbols(&solution)).latex());
         let typed = sides.collect::<Vec<_>>().join(" = ");
         let folded = Folded::of(&typed);
         let folded = folded.as_ref().map_or(Passage::default(), Folded::passage);
@@ -336,7 +336,7 @@ fn a_value_is_worked_out_in_the_unit_that_a_part_asks_for() {
         let node = template.graph.find(&Name::new(name));
         let node = node.expect("a quantity");
         let info = template.info(node).expect("a quantity");
-        scene.value_as_asked(node, info).map(|value| value.plain())
+        fill::value_as_asked(&scene, node, info).map(|value| value.plain())
     };
     assert_eq!(asked("T0").as_deref(), Some("0.628 ms"));
     assert_eq!(asked("f0"), None);
