@@ -56,7 +56,7 @@ static TASKS: &[&dyn Task] = &[
     &free_response::FreeResponse,
     &log_decrement::LogDecrement,
     &modal_response::ModalResponse,
-    &modes::Modes,
+    &modes::NaturalModes,
     &pendulum_motion::PendulumMotion,
     &pendulum_period::PendulumPeriod,
     &resonance_bandwidth::ResonanceBandwidth,

@@ -9,7 +9,7 @@ use super::{Parameters, RequestError, ResultReply, Task, network};
 use crate::numerics::Dd;
 use crate::vibration::modes as solver;
 
-pub(crate) struct Modes;
+pub(crate) struct NaturalModes;
 
 /// Up to this size modes take less than what can be seen, and keep all digits of close ones.
 const SMALL: usize = 16;
@@ -17,7 +17,7 @@ const SMALL: usize = 16;
 /// Largest size whose modes are refined to the last digit.
 const MAX_REFINED: usize = 64;
 
-impl Task for Modes {
+impl Task for NaturalModes {
     fn name(&self) -> &'static str {
         "modes"
     }

@@ -77,7 +77,7 @@ fn moving(compiler: &Compiler<'_>, expr: &Expr) -> BTreeSet<Name> {
 /// The formula with everything substituted that depends on `by`.
 fn expanded(compiler: &mut Compiler<'_>, expr: &Expr, by: &Name) -> Result<Expr> {
     Expansion {
-        compiler: compiler,
+        compiler,
         by,
         bound: Vec::new(),
     }

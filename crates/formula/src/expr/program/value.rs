@@ -61,7 +61,7 @@ impl Value {
         match &mut scaled.numbers {
             OneOrSeveral::One { number, .. } => *number *= factor,
             OneOrSeveral::Several { numbers, .. } => {
-                numbers.iter_mut().for_each(|own| *own *= factor)
+                numbers.iter_mut().for_each(|own| *own *= factor);
             }
         }
         scaled
