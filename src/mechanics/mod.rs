@@ -34,5 +34,5 @@ pub use model::Model;
 pub use numbers::{Frictional, Linearization, Motion, Numbers, Sdof, TurningPoints};
 pub use quantity::{Quantity, QuantityError};
 pub use quantity_type::QuantityType;
-pub use steps::{Letters, Line, NewtonError, Reason, Side, Step, Term, Way};
+pub use steps::{LawTerm, Letters, Line, LineSide, NewtonError, Reason, Step, Way};
 pub use unavailable::Unavailable;

@@ -8,7 +8,7 @@ use crate::bank::QuantityInfo;
 use crate::document::{Filling, Step as Shown};
 use crate::expr::{Expr, Kind, Name, Notation, Path};
 use crate::math::{Class, Math, TableKind};
-use crate::mechanics::{Line, Side, Step, Term, Way};
+use crate::mechanics::{LawTerm, Line, LineSide, Step, Way};
 use crate::quantity::{Graph, NodeId};
 
 /// Characters of a formula with its helpers opened beyond which nobody follows the numbers in it.
@@ -50,10 +50,10 @@ fn chain(scene: &Scene<'_, '_>, line: &Line) -> SetChain {
     }
 }
 
-fn set_side(side: &Side, notation: &dyn Notation) -> Math {
+fn set_side(side: &LineSide, notation: &dyn Notation) -> Math {
     match side {
-        Side::Formula(formula) => formula.typeset(notation),
-        Side::Determinant(rows) => {
+        LineSide::Formula(formula) => formula.typeset(notation),
+        LineSide::Determinant(rows) => {
             let row = |row: &Vec<Expr>| row.iter().map(|own| own.typeset(notation)).collect();
             let table = Math::Table {
                 rows: rows.iter().map(row).collect(),
@@ -61,8 +61,8 @@ fn set_side(side: &Side, notation: &dyn Notation) -> Math {
             };
             table.fenced("|", "|")
         }
-        Side::Terms(terms) if terms.is_empty() => Math::number("0"),
-        Side::Terms(terms) => {
+        LineSide::Terms(terms) if terms.is_empty() => Math::number("0"),
+        LineSide::Terms(terms) => {
             let mut row = Vec::new();
             for (is_subtracted, term) in terms {
                 match (is_subtracted, row.is_empty()) {
@@ -78,7 +78,7 @@ fn set_side(side: &Side, notation: &dyn Notation) -> Math {
     }
 }
 
-fn set_term(term: &Term, notation: &dyn Notation) -> Math {
+fn set_term(term: &LawTerm, notation: &dyn Notation) -> Math {
     let symbol = |name: &Name| notation.name(name).math;
     let partial = |above: &str, below: Math| {
         let sign = || Math::operator("∂", Class::Ordinary);
@@ -91,18 +91,18 @@ fn set_term(term: &Term, notation: &dyn Notation) -> Math {
         Math::row([derivative, Math::thin_space(), of])
     };
     match term {
-        Term::Momentum(name) => partial("T", symbol(name).derivative(1)),
-        Term::MomentumRate(name) => rate(partial("T", symbol(name).derivative(1))),
-        Term::Kinetic(name) => partial("T", symbol(name)),
-        Term::Potential(name) => partial("V", symbol(name)),
-        Term::Dissipation(name) => partial("D", symbol(name).derivative(1)),
-        Term::Force(name) => Math::letter('Q').with_sub(symbol(name)),
-        Term::Energy => Math::row([Math::letter('T'), Math::binary("+"), Math::letter('V')]),
-        Term::EnergyRate => {
+        LawTerm::Momentum(name) => partial("T", symbol(name).derivative(1)),
+        LawTerm::MomentumRate(name) => rate(partial("T", symbol(name).derivative(1))),
+        LawTerm::Kinetic(name) => partial("T", symbol(name)),
+        LawTerm::Potential(name) => partial("V", symbol(name)),
+        LawTerm::Dissipation(name) => partial("D", symbol(name).derivative(1)),
+        LawTerm::Force(name) => Math::letter('Q').with_sub(symbol(name)),
+        LawTerm::Energy => Math::row([Math::letter('T'), Math::binary("+"), Math::letter('V')]),
+        LawTerm::EnergyRate => {
             let sum = [Math::letter('T'), Math::binary("+"), Math::letter('V')];
             rate(Math::row(sum).in_parentheses())
         }
-        Term::Power => Math::letter('P'),
+        LawTerm::Power => Math::letter('P'),
     }
 }
 

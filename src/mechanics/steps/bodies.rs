@@ -4,7 +4,7 @@ use thiserror::Error;
 
 use super::factors::signed_terms;
 use super::lagrange::line_of;
-use super::{Deriver, Line, Reason, Side, Step, Unavailable, product};
+use super::{Deriver, Line, LineSide, Reason, Step, Unavailable, product};
 use crate::expr::{Expr, Function, Name, Normal, sum_of_signed_terms};
 use crate::mechanics::{Model, Quantity};
 use crate::source::Span;
@@ -92,7 +92,7 @@ pub(crate) fn newton(deriver: &Deriver<'_>) -> Result<Vec<Step>, Unavailable> {
                 .forces
                 .iter()
                 .flat_map(|(_, all)| signed_terms(&all[at], false));
-            Line::exact([left, sum_of_signed_terms(forces.filter(is_there))].map(Side::Formula))
+            Line::exact([left, sum_of_signed_terms(forces.filter(is_there))].map(LineSide::Formula))
         });
         steps.push(Step {
             reason: Reason::Body(body.name.clone()),
@@ -103,8 +103,8 @@ pub(crate) fn newton(deriver: &Deriver<'_>) -> Result<Vec<Step>, Unavailable> {
     let used = used
         .flat_map(|line| &line.sides)
         .filter_map(|side| match side {
-            Side::Formula(formula) => Some(formula),
-            Side::Terms(_) | Side::Determinant(_) => None,
+            LineSide::Formula(formula) => Some(formula),
+            LineSide::Terms(_) | LineSide::Determinant(_) => None,
         });
     let relations = deriver.relations(used)?;
     steps.splice(0..0, relations);
@@ -112,7 +112,7 @@ pub(crate) fn newton(deriver: &Deriver<'_>) -> Result<Vec<Step>, Unavailable> {
         let along = along(deriver, name)?;
         let sides = [along.inertia, along.forces].map(sum_of_signed_terms);
         // A law that is the equation already is not printed again.
-        let law = Line::exact(sides.map(Side::Formula));
+        let law = Line::exact(sides.map(LineSide::Formula));
         let is_new = steps.iter().all(|step| !step.lines.contains(&law));
         let mut lines: Vec<Line> = is_new.then_some(law).into_iter().collect();
         let full = if model.is_linear() {

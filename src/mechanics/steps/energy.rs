@@ -1,7 +1,7 @@
 //! The balance of energy.
 
 use super::factors::signed_terms;
-use super::{Deriver, Line, Reason, Side, Step, Term, Unavailable, lagrange, product};
+use super::{Deriver, LawTerm, Line, LineSide, Reason, Step, Unavailable, lagrange, product};
 use crate::expr::{Expr, Name, Normal, Variable, sum_of_signed_terms};
 
 /// For one coordinate the equation of motion by the rate of the energy; for several the balance alone.
@@ -21,9 +21,12 @@ pub(crate) fn energy(deriver: &Deriver<'_>) -> Result<Vec<Step>, Unavailable> {
     }
     let normal = Normal::of(&energy)?;
     let written = collected_energy(deriver, &normal);
-    let mut sides = vec![Side::term(Term::Energy), Side::Formula(energy.clone())];
+    let mut sides = vec![
+        LineSide::term(LawTerm::Energy),
+        LineSide::Formula(energy.clone()),
+    ];
     if model.degrees_of_freedom() == 1 && written != energy && written.size() < energy.size() {
-        sides.push(Side::Formula(written));
+        sides.push(LineSide::Formula(written));
     }
     let mut steps = vec![Step {
         reason: Reason::Energy,
@@ -38,8 +41,8 @@ pub(crate) fn energy(deriver: &Deriver<'_>) -> Result<Vec<Step>, Unavailable> {
         steps.push(Step {
             reason: Reason::Power,
             lines: vec![Line::exact([
-                Side::term(Term::Power),
-                Side::Formula(power.clone()),
+                LineSide::term(LawTerm::Power),
+                LineSide::Formula(power.clone()),
             ])],
         });
     }
@@ -55,7 +58,7 @@ pub(crate) fn energy(deriver: &Deriver<'_>) -> Result<Vec<Step>, Unavailable> {
         reason: Reason::Balance,
         lines: vec![
             law(&power),
-            Line::exact([sum_of_signed_terms(rate), power].map(Side::Formula)),
+            Line::exact([sum_of_signed_terms(rate), power].map(LineSide::Formula)),
         ],
     });
     let ([name], [per_velocity]) = (model.coordinates(), rates.as_slice()) else {
@@ -64,7 +67,7 @@ pub(crate) fn energy(deriver: &Deriver<'_>) -> Result<Vec<Step>, Unavailable> {
     let force = powers.into_iter().map(|(force, _)| (false, force));
     let force = sum_of_signed_terms(force);
     let mut lines = vec![Line::exact(
-        [per_velocity.clone(), force].map(Side::Formula),
+        [per_velocity.clone(), force].map(LineSide::Formula),
     )];
     let quantity = if model.is_linear() || model.equilibrium().is_none() {
         crate::mechanics::Quantity::FullEquation(0)
@@ -112,9 +115,9 @@ fn law(power: &Expr) -> Line {
     let right = if power.is_zero() {
         Vec::new()
     } else {
-        vec![(false, Term::Power)]
+        vec![(false, LawTerm::Power)]
     };
-    Line::exact([Side::term(Term::EnergyRate), Side::Terms(right)])
+    Line::exact([LineSide::term(LawTerm::EnergyRate), LineSide::Terms(right)])
 }
 
 /// The energy of one coordinate, its terms collected.

@@ -1,6 +1,6 @@
 //! Natural frequencies and the shapes that belong to them, in letters.
 
-use super::{Deriver, Line, Reason, Side, Step, Unavailable};
+use super::{Deriver, Line, LineSide, Reason, Step, Unavailable};
 use crate::expr::{Expr, Name, Normal};
 use crate::mechanics::Quantity;
 use crate::mechanics::characteristic::determinant;
@@ -16,11 +16,11 @@ pub(crate) fn characteristic(deriver: &Deriver<'_>) -> Result<Vec<Step>, Unavail
     let equation = determinant(&entries).ok_or(Unavailable::NoFormula)?;
     let row = |row: &Vec<Normal>| row.iter().map(|entry| deriver.collected(entry)).collect();
     let order = deriver.model.order().clone().moving([unknown]).descending();
-    let zero = || Side::Formula(Expr::number(0));
-    let matrix = Side::Determinant(entries.iter().map(row).collect());
+    let zero = || LineSide::Formula(Expr::number(0));
+    let matrix = LineSide::Determinant(entries.iter().map(row).collect());
     let mut lines = vec![
         Line::exact([matrix, zero()]),
-        Line::exact([Side::Formula(equation.to_expr(&order)), zero()]),
+        Line::exact([LineSide::Formula(equation.to_expr(&order)), zero()]),
     ];
     let has_dampers = !deriver
         .model
@@ -68,8 +68,8 @@ pub(crate) fn row(deriver: &Deriver<'_>, mode: usize) -> Result<Vec<Step>, Unava
     Ok(vec![Step {
         reason: Reason::Row(row),
         lines: vec![
-            Line::exact([sum.to_expr(&order), Expr::number(0)].map(Side::Formula)),
-            Line::exact([names, ratio].map(Side::Formula)),
+            Line::exact([sum.to_expr(&order), Expr::number(0)].map(LineSide::Formula)),
+            Line::exact([names, ratio].map(LineSide::Formula)),
         ],
     }])
 }

@@ -1,7 +1,7 @@
 //! Lagrange's equation term by term.
 
 use super::factors::signed_terms;
-use super::{Deriver, Line, Reason, Side, Step, Term, Unavailable, is_zero, product};
+use super::{Deriver, LawTerm, Line, LineSide, Reason, Step, Unavailable, is_zero, product};
 use crate::expr::{
     Equation, Expr, Function, Name, Normal, Substitution, Variable, differentiate,
     sum_of_signed_terms,
@@ -18,7 +18,7 @@ pub(crate) struct Derivative {
 /// A line for a term, the sign with which it stands in the equation, its name and what it is.
 struct TermEntry {
     is_subtracted: bool,
-    term: Term,
+    term: LawTerm,
     value: Expr,
 }
 
@@ -30,16 +30,16 @@ pub(crate) fn lagrange(deriver: &Deriver<'_>, at: usize) -> Result<Vec<Step>, Un
     let (mut lines, mut entries, mut used) = (Vec::new(), Vec::new(), Vec::new());
     let momentum = derivative(deriver, &definition.kinetic, &velocity, &mut used)?;
     if let Some(momentum) = momentum {
-        let mut sides = vec![Side::term(Term::Momentum(name.clone()))];
+        let mut sides = vec![LineSide::term(LawTerm::Momentum(name.clone()))];
         sides.extend(momentum.sides());
         lines.push(Line::exact(sides));
         let moving = model.coordinates().iter().cloned().collect();
         let rate = momentum.collected.time_derivative(&moving)?;
         let value = deriver.collected(&rate);
-        let term = Term::MomentumRate(name.clone());
+        let term = LawTerm::MomentumRate(name.clone());
         lines.push(Line::exact([
-            Side::term(term.clone()),
-            Side::Formula(value.clone()),
+            LineSide::term(term.clone()),
+            LineSide::Formula(value.clone()),
         ]));
         entries.push(TermEntry {
             is_subtracted: false,
@@ -52,26 +52,26 @@ pub(crate) fn lagrange(deriver: &Deriver<'_>, at: usize) -> Result<Vec<Step>, Un
             &definition.kinetic,
             &position,
             true,
-            Term::Kinetic(name.clone()),
+            LawTerm::Kinetic(name.clone()),
         ),
         (
             &definition.potential,
             &position,
             false,
-            Term::Potential(name.clone()),
+            LawTerm::Potential(name.clone()),
         ),
         (
             &definition.dissipation,
             &velocity,
             false,
-            Term::Dissipation(name.clone()),
+            LawTerm::Dissipation(name.clone()),
         ),
     ];
     for (energy, by, is_subtracted, term) in others {
         let Some(derivative) = derivative(deriver, energy, by, &mut used)? else {
             continue;
         };
-        let mut sides = vec![Side::term(term.clone())];
+        let mut sides = vec![LineSide::term(term.clone())];
         sides.extend(derivative.sides());
         lines.push(Line::exact(sides));
         entries.push(TermEntry {
@@ -83,8 +83,8 @@ pub(crate) fn lagrange(deriver: &Deriver<'_>, at: usize) -> Result<Vec<Step>, Un
     let force = force(deriver, at)?;
     if let Some(force) = &force {
         lines.push(Line::exact([
-            Side::term(Term::Force(name.clone())),
-            Side::Formula(force.clone()),
+            LineSide::term(LawTerm::Force(name.clone())),
+            LineSide::Formula(force.clone()),
         ]));
     }
     let mut steps = Vec::new();
@@ -103,16 +103,18 @@ fn sum(name: &Name, entries: &[TermEntry], force: Option<Expr>) -> Step {
     let law = entries
         .iter()
         .map(|own| (own.is_subtracted, own.term.clone()));
-    let right = force.is_some().then(|| (false, Term::Force(name.clone())));
+    let right = force
+        .is_some()
+        .then(|| (false, LawTerm::Force(name.clone())));
     let left = sum_of_signed_terms(signed(entries));
     Step {
         reason: Reason::Lagrange(name.clone()),
         lines: vec![
             Line::exact([
-                Side::Terms(law.collect()),
-                Side::Terms(right.into_iter().collect()),
+                LineSide::Terms(law.collect()),
+                LineSide::Terms(right.into_iter().collect()),
             ]),
-            Line::exact([left, force.unwrap_or_else(|| Expr::number(0))].map(Side::Formula)),
+            Line::exact([left, force.unwrap_or_else(|| Expr::number(0))].map(LineSide::Formula)),
         ],
     }
 }
@@ -151,17 +153,21 @@ fn finish(
     for (name, value) in model.coordinates().iter().zip(&rest) {
         if !value.is_zero() {
             lines.push(Line::exact(
-                [Expr::name(name.clone()), value.clone()].map(Side::Formula),
+                [Expr::name(name.clone()), value.clone()].map(LineSide::Formula),
             ));
         }
     }
     let named = entries.iter().map(|own| (own.term.clone(), &own.value));
     let force = force.as_ref();
-    let named = named.chain(force.map(|own| (Term::Force(model.coordinates()[at].clone()), own)));
+    let named =
+        named.chain(force.map(|own| (LawTerm::Force(model.coordinates()[at].clone()), own)));
     for (term, value) in named {
         // A force along the velocity of dry friction, or one that depends on time alone, stays as it is.
         if let Some(part) = linear_part(deriver, value, &rest)? {
-            lines.push(Line::approximate([Side::term(term), Side::Formula(part)]));
+            lines.push(Line::approximate([
+                LineSide::term(term),
+                LineSide::Formula(part),
+            ]));
         }
     }
     lines.push(line_of(equation));
@@ -310,11 +316,11 @@ fn chain(
 }
 
 impl Derivative {
-    pub(crate) fn sides(&self) -> Vec<Side> {
+    pub(crate) fn sides(&self) -> Vec<LineSide> {
         let sides = [&self.through_names, &self.shortest];
         let mut sides: Vec<Expr> = sides.into_iter().cloned().collect();
         sides.dedup();
-        sides.into_iter().map(Side::Formula).collect()
+        sides.into_iter().map(LineSide::Formula).collect()
     }
 }
 
@@ -325,5 +331,5 @@ fn signed(entries: &[TermEntry]) -> impl Iterator<Item = (bool, Expr)> {
 }
 
 pub(crate) fn line_of(equation: Equation) -> Line {
-    Line::exact([equation.left, equation.right].map(Side::Formula))
+    Line::exact([equation.left, equation.right].map(LineSide::Formula))
 }

@@ -38,7 +38,7 @@ pub struct Step {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Line {
     /// At least two.
-    pub sides: Vec<Side>,
+    pub sides: Vec<LineSide>,
     /// Whether the last side holds for small displacements only.
     pub is_approximate: bool,
 }
@@ -46,11 +46,11 @@ pub struct Line {
 /// One side of a line.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
-pub enum Side {
+pub enum LineSide {
     /// A formula in coordinates, kinematic names and constants.
     Formula(Expr),
     /// A sum of terms by their names, each with whether it is subtracted; empty for 0.
-    Terms(Vec<(bool, Term)>),
+    Terms(Vec<(bool, LawTerm)>),
     /// The determinant of a matrix, by rows.
     Determinant(Vec<Vec<Expr>>),
 }
@@ -58,7 +58,7 @@ pub enum Side {
 /// A term of a law, by its name.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
-pub enum Term {
+pub enum LawTerm {
     /// ∂T/∂q'.
     Momentum(Name),
     /// Its time derivative.
@@ -116,14 +116,14 @@ pub enum Reason {
 }
 
 impl Line {
-    fn exact(sides: impl IntoIterator<Item = Side>) -> Self {
+    fn exact(sides: impl IntoIterator<Item = LineSide>) -> Self {
         Self {
             sides: sides.into_iter().collect(),
             is_approximate: false,
         }
     }
 
-    fn approximate(sides: impl IntoIterator<Item = Side>) -> Self {
+    fn approximate(sides: impl IntoIterator<Item = LineSide>) -> Self {
         Self {
             is_approximate: true,
             ..Self::exact(sides)
@@ -131,8 +131,8 @@ impl Line {
     }
 }
 
-impl Side {
-    fn term(term: Term) -> Self {
+impl LineSide {
+    fn term(term: LawTerm) -> Self {
         Self::Terms(vec![(false, term)])
     }
 }
@@ -190,7 +190,7 @@ impl<'m> Deriver<'m> {
         let kinematics = self.model.definition.kinematics.iter();
         let relation = |(name, formula): &(Name, Expr)| {
             let sides = [Expr::name(name.clone()), self.bracketed(formula)?];
-            Ok(Line::exact(sides.map(Side::Formula)))
+            Ok(Line::exact(sides.map(LineSide::Formula)))
         };
         let lines = kinematics.filter(|(name, _)| used.contains(name));
         let lines = lines

@@ -1,7 +1,7 @@
 //! The balance at rest: what weights and pre-stretches do to a system that is described from its equilibrium, and why
 //! they drop out of its motion.
 
-use super::{Deriver, Line, Reason, Side, Step, Term, Unavailable, lagrange};
+use super::{Deriver, LawTerm, Line, LineSide, Reason, Step, Unavailable, lagrange};
 use crate::expr::{Expr, Name, Normal, Substitution, Variable};
 use crate::mechanics::Model;
 
@@ -40,12 +40,12 @@ pub(crate) fn statics(
                     coordinate: name.clone(),
                 });
             }
-            let sides = [deriver.collected(&balance), Expr::number(0)].map(Side::Formula);
-            let term = Side::term(Term::Potential(name.clone()));
+            let sides = [deriver.collected(&balance), Expr::number(0)].map(LineSide::Formula);
+            let term = LineSide::term(LawTerm::Potential(name.clone()));
             rest.push(Line::exact(std::iter::once(term).chain(sides)));
             for (letter, formula) in letters {
                 let line = [Expr::name(letter.clone()), formula.clone()];
-                let line = Line::exact(line.map(Side::Formula));
+                let line = Line::exact(line.map(LineSide::Formula));
                 // What the other model has, too, is no static displacement.
                 let is_static = balance.mentions(letter) && !reduced.names().contains(letter);
                 if is_static && !values.contains(&line) {
@@ -53,11 +53,11 @@ pub(crate) fn statics(
                 }
             }
         }
-        let mut sides = vec![Side::term(Term::Potential(name.clone()))];
+        let mut sides = vec![LineSide::term(LawTerm::Potential(name.clone()))];
         sides.extend(force.sides());
         let left = reduced.residuals[at].plus(&model.residuals[at].negated())?;
         let left = force.collected.plus(&left)?;
-        sides.push(Side::Formula(deriver.collected(&left)));
+        sides.push(LineSide::Formula(deriver.collected(&left)));
         sides.dedup();
         motion.push(Line::exact(sides));
     }

@@ -81,11 +81,11 @@ fn lines(definition: Definition, way: Way) -> Vec<String> {
 }
 
 fn text(line: &Line) -> String {
-    let side = |side: &Side| match side {
-        Side::Formula(formula) => formula.to_string(),
-        Side::Determinant(rows) => format!("det{}", rows.len()),
-        Side::Terms(terms) if terms.is_empty() => "0".to_owned(),
-        Side::Terms(terms) => terms
+    let side = |side: &LineSide| match side {
+        LineSide::Formula(formula) => formula.to_string(),
+        LineSide::Determinant(rows) => format!("det{}", rows.len()),
+        LineSide::Terms(terms) if terms.is_empty() => "0".to_owned(),
+        LineSide::Terms(terms) => terms
             .iter()
             .map(|(is_subtracted, term)| {
                 format!("{}{term:?}", if *is_subtracted { "-" } else { "+" })

@@ -40,9 +40,9 @@ impl<'s, 'a, 't> Reader<'s, 'a, 't> {
         for line in steps.iter().flat_map(|step| &step.lines) {
             for side in &line.sides {
                 let formulas: Vec<&Expr> = match side {
-                    Side::Formula(own) => vec![own],
-                    Side::Determinant(rows) => rows.iter().flatten().collect(),
-                    Side::Terms(_) => Vec::new(),
+                    LineSide::Formula(own) => vec![own],
+                    LineSide::Determinant(rows) => rows.iter().flatten().collect(),
+                    LineSide::Terms(_) => Vec::new(),
                 };
                 for own in formulas {
                     names.extend(own.names().free.into_iter().map(|own| own.name));
@@ -54,7 +54,7 @@ impl<'s, 'a, 't> Reader<'s, 'a, 't> {
             .filter(|step| step.reason == Reason::Kinematics)
         {
             for line in &step.lines {
-                if let Some(Side::Formula(own)) = line.sides.first() {
+                if let Some(LineSide::Formula(own)) = line.sides.first() {
                     moving.extend(own.names().free.into_iter().map(|own| own.name));
                 }
             }
@@ -72,8 +72,8 @@ impl<'s, 'a, 't> Reader<'s, 'a, 't> {
     }
 
     /// A printed side as it is read back, in the coordinates.
-    fn read(&self, side: &Side) -> Option<Normal> {
-        let Side::Formula(own) = side else {
+    fn read(&self, side: &LineSide) -> Option<Normal> {
+        let LineSide::Formula(own) = side else {
             return None;
         };
         let printed = own.typeset(&Symbols(self.scene.solution())).latex();
@@ -95,7 +95,7 @@ impl<'s, 'a, 't> Reader<'s, 'a, 't> {
     }
 
     fn learn(&mut self, line: &Line) {
-        let [Side::Formula(name), side] = line.sides.as_slice() else {
+        let [LineSide::Formula(name), side] = line.sides.as_slice() else {
             panic!("a relation has two sides");
         };
         let Kind::Name(name) = name.kind() else {
@@ -112,11 +112,11 @@ fn follow_determinant(reader: &Reader<'_, '_, '_>, step: &Step, label: &str) {
     let [first, second, ..] = step.lines.as_slice() else {
         panic!("{label}: a determinant and its equation");
     };
-    let Side::Determinant(rows) = &first.sides[0] else {
+    let LineSide::Determinant(rows) = &first.sides[0] else {
         panic!("{label}: a determinant");
     };
     let entry = |row: usize, column: usize| {
-        let entry = Side::Formula(rows[row][column].clone());
+        let entry = LineSide::Formula(rows[row][column].clone());
         reader.read(&entry).expect("a formula")
     };
     let expanded = if rows.len() == 1 {
@@ -224,12 +224,17 @@ fn follow(template: &Template, way: Way, label: &str) -> u64 {
                     assert_same(label, &pair[0], &pair[1]);
                 }
             }
-            if let (Some(Side::Terms(term)), Some(value)) = (line.sides.first(), sides.last()) {
+            if let (Some(LineSide::Terms(term)), Some(value)) = (line.sides.first(), sides.last()) {
                 let value = match term.as_slice() {
-                    [(_, Term::Kinetic(_) | Term::Force(_))] => value.negated(),
-                    [(_, Term::MomentumRate(_) | Term::Potential(_) | Term::Dissipation(_))] => {
-                        value.clone()
-                    }
+                    [(_, LawTerm::Kinetic(_) | LawTerm::Force(_))] => value.negated(),
+                    [
+                        (
+                            _,
+                            LawTerm::MomentumRate(_)
+                            | LawTerm::Potential(_)
+                            | LawTerm::Dissipation(_),
+                        ),
+                    ] => value.clone(),
                     _ => continue,
                 };
                 terms = Some(match terms {
@@ -265,9 +270,12 @@ fn mark(
     label: &str,
 ) -> u64 {
     let last = steps.last().and_then(|step| step.lines.last());
-    let Some(line) =
-        last.filter(|line| matches!(line.sides.as_slice(), [Side::Formula(_), Side::Formula(_)]))
-    else {
+    let Some(line) = last.filter(|line| {
+        matches!(
+            line.sides.as_slice(),
+            [LineSide::Formula(_), LineSide::Formula(_)]
+        )
+    }) else {
         return 0;
     };
     let quantity = crate::mechanics::Quantity::Equation(along);
