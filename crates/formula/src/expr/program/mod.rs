@@ -2,9 +2,8 @@
 //!
 //! A program is a list of steps over numbered registers, with jumps for `if`, `and` and `or`; vectors, matrices and
 //! complex numbers are taken apart when it is compiled, derivatives are formed, names are inputs or put in as
-//! formulas. A computation that occurs twice is made once. It runs over any [`Scalar`](crate::expr::Scalar): in binary64,
-//! again in double-double where that leaves too much open, and with 256 bits where even that cannot tell a result from
-//! zero.
+//! formulas. A computation that occurs twice is made once. It runs over any [`Scalar`]: in binary64, again in
+//! double-double where that leaves too much open, and with 256 bits where even that cannot tell a result from zero.
 
 mod arithmetic;
 mod array;
