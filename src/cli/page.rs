@@ -119,7 +119,7 @@ fn package(offered: &Offered, version: Version) -> Result<Vec<u8>, Failure> {
         seed,
     } = offered;
     let package = Package::of(practice, items, rules, *seed);
-    package.fits(version.room()).map_err(|error| {
+    version.room().fit(package.parts()).map_err(|error| {
         let way = match version {
             Scorm::V12 => "take fewer questions or parts, or `--scorm 2004`",
             Scorm::V2004 => "take fewer questions or parts, in several packages",

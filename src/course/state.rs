@@ -1,7 +1,5 @@
 //! How much of a sitting a platform keeps, and what has to fit.
 
-use super::Package;
-
 /// How much state a standard lets a package keep.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Room {
@@ -32,21 +30,20 @@ const HEADER: usize = 16;
 /// Credit in 2520ths, verdict, attempts, hints and solution seen are 24 bits: four digits of base 64.
 const PART: usize = 4;
 
-impl Package {
-    /// What its state needs whatever happens: credit, verdict, attempts, hints and solutions seen of all parts, in a code
-    /// of fixed length. Typed text gets what is left.
+impl Room {
+    /// What the state of so many parts needs whatever happens: credit, verdict, attempts, hints and solutions seen of each,
+    /// in a code of fixed length. Typed text gets what is left.
     ///
     /// # Errors
     ///
     /// [`NoRoom`].
-    pub fn fits(&self, room: Room) -> Result<usize, NoRoom> {
-        let parts = self.parts();
+    pub fn fit(self, parts: usize) -> Result<usize, NoRoom> {
         let needed = HEADER + PART * parts;
-        if needed > room.characters {
+        if needed > self.characters {
             return Err(NoRoom {
                 parts,
                 needed,
-                room,
+                room: self,
             });
         }
         Ok(needed)

@@ -88,14 +88,18 @@ fn a_package_whose_state_may_not_fit_is_refused_with_the_numbers() {
         if 16 + 4 * parts > 4_096 {
             break package;
         }
-        assert_eq!(package.fits(Scorm::V12.room()), Ok(16 + 4 * parts));
+        assert_eq!(Scorm::V12.room().fit(package.parts()), Ok(16 + 4 * parts));
         practice.questions.extend(once.iter().cloned());
     };
-    let refused = package.fits(Scorm::V12.room()).unwrap_err().to_string();
+    let refused = Scorm::V12
+        .room()
+        .fit(package.parts())
+        .unwrap_err()
+        .to_string();
     let needed = 16 + 4 * parts;
     let said = format!("{parts} parts need {needed} characters of state, and SCORM 1.2 keeps 4096");
     assert_eq!(refused, said);
-    assert!(package.fits(Scorm::V2004.room()).is_ok());
+    assert!(Scorm::V2004.room().fit(package.parts()).is_ok());
 }
 
 #[test]
