@@ -8,7 +8,7 @@ mod error;
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use super::marks::Marks;
+use super::marks::{self, Marks};
 use crate::answer::Credit;
 use crate::bank::shortened;
 use crate::diagnostic::Finding;
@@ -144,7 +144,7 @@ impl Decisions {
     pub fn read(source: &Source) -> Result<Self, Vec<Finding>> {
         let problems = Problems::default();
         let value = toml::read(source, &problems);
-        let mut reader = Reader {
+        let mut reader = DecisionReader {
             source,
             findings: Vec::new(),
         };
@@ -155,7 +155,7 @@ impl Decisions {
                 own.finish();
             }
             marks = table.table("marks").map(|table| {
-                let (marks, mut findings) = Marks::read(&table);
+                let (marks, mut findings) = marks::read(&table);
                 reader.findings.append(&mut findings);
                 marks
             });
@@ -375,12 +375,12 @@ fn named(names: &[&String]) -> String {
     names.join(", ")
 }
 
-struct Reader<'s> {
+struct DecisionReader<'s> {
     source: &'s Source,
     findings: Vec<Finding>,
 }
 
-impl Reader<'_> {
+impl DecisionReader<'_> {
     fn find<T>(&mut self, error: &DecisionError) -> Option<T> {
         self.findings.push(Finding::of(error, self.source));
         None

@@ -31,7 +31,7 @@ pub struct Marks {
     pub absent: Absence,
     /// The grades, the best first.
     #[serde(skip_serializing_if = "Vec::is_empty")]
-    pub scale: Vec<Step>,
+    pub scale: Vec<GradeStep>,
     /// What passes.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub pass: Option<Bound>,
@@ -66,7 +66,7 @@ pub struct Best {
 
 /// A grade, and from where on it is given.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Step {
+pub struct GradeStep {
     /// As it is printed.
     pub grade: String,
     /// The least that it takes.
@@ -308,6 +308,8 @@ fn subtract(a: Rational, b: Rational) -> Rational {
 
 #[cfg(feature = "render")]
 pub use read::MarksError;
+#[cfg(feature = "render")]
+pub(crate) use read::{check, read};
 
 #[cfg(feature = "render")]
 mod read;
@@ -382,7 +384,7 @@ mod tests {
 
     #[test]
     fn a_grade_is_stated_where_it_does_not_depend_on_what_is_open() {
-        let step = |grade: &str, from| Step {
+        let step = |grade: &str, from| GradeStep {
             grade: grade.to_owned(),
             from: Bound::Share(from),
         };

@@ -56,7 +56,7 @@ pub use manifest::{
 #[cfg(feature = "render")]
 pub use marks::MarksError;
 pub use marks::{
-    Absence, Best, Bound, Direction, Exact, Marks, Rounding, Scored, Step, Total, Worth,
+    Absence, Best, Bound, Direction, Exact, GradeStep, Marks, Rounding, Scored, Total, Worth,
 };
 #[cfg(feature = "render")]
 pub use own::Own;

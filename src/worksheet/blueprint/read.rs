@@ -14,7 +14,7 @@ use crate::message::Language;
 use crate::scene;
 use crate::source::{Data, Source, Span, Table, Text, Value};
 use crate::worksheet::manifest::Csv;
-use crate::worksheet::marks::Marks;
+use crate::worksheet::marks::{self, Marks};
 use crate::worksheet::own::Own;
 use crate::worksheet::paper::Paper;
 use crate::worksheet::printing::Printing;
@@ -132,10 +132,10 @@ fn csv(table: &Table<'_>, decimal: char, faults: &mut Faults<'_>) -> Csv {
 /// What becomes of the points of a sheet, where that is stated.
 fn marks(table: &Table<'_>, questions: &[Question], faults: &mut Faults<'_>) -> Option<Marks> {
     let table = table.table("marks")?;
-    let (marks, mut findings) = Marks::read(&table);
+    let (marks, mut findings) = marks::read(&table);
     let counted = questions.iter().filter(|question| !question.bonus);
     let sections: Vec<&str> = counted.flat_map(Question::sections).collect();
-    let lacking = marks.check(&sections, table.span());
+    let lacking = marks::check(&marks, &sections, table.span());
     findings.extend(
         lacking
             .iter()

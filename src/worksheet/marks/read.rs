@@ -1,6 +1,6 @@
 //! Reading the table.
 
-use super::{Absence, Best, Bound, Direction, Exact, Marks, Rounding, Step};
+use super::{Absence, Best, Bound, Direction, Exact, GradeStep, Marks, Rounding};
 use crate::diagnostic::{Code, Diagnose, Finding, Label};
 use crate::numerics::Rational;
 use crate::source::{Data, Span, Table, Value};
@@ -83,41 +83,39 @@ impl Diagnose for MarksError {
     }
 }
 
-impl Marks {
-    /// Reads the table; what is wrong is noted with its problems, or returned.
-    pub(crate) fn read(table: &Table<'_>) -> (Self, Vec<Finding>) {
-        let mut errors = Vec::new();
-        let marks = Self {
-            rounding: rounding(table, &mut errors),
-            full: positive(table, "full"),
-            best: best(table),
-            wrong_choice: share(table),
-            below_zero: table.boolean("below_zero").unwrap_or(false),
-            absent: absent(table, &mut errors),
-            scale: scale(table, &mut errors),
-            pass: None,
-        };
-        let pass = table.value("pass");
-        let pass = pass.and_then(|value| pass_of(table, value, &marks.scale, &mut errors));
-        table.finish_ref();
-        let findings = errors.iter();
-        let findings = findings.map(|error| Finding::of(error, table.source()));
-        (Self { pass, ..marks }, findings.collect())
-    }
+/// Reads the table; what is wrong is noted with its problems, or returned.
+pub(crate) fn read(table: &Table<'_>) -> (Marks, Vec<Finding>) {
+    let mut errors = Vec::new();
+    let marks = Marks {
+        rounding: rounding(table, &mut errors),
+        full: positive(table, "full"),
+        best: best(table),
+        wrong_choice: share(table),
+        below_zero: table.boolean("below_zero").unwrap_or(false),
+        absent: absent(table, &mut errors),
+        scale: scale(table, &mut errors),
+        pass: None,
+    };
+    let pass = table.value("pass");
+    let pass = pass.and_then(|value| pass_of(table, value, &marks.scale, &mut errors));
+    table.finish_ref();
+    let findings = errors.iter();
+    let findings = findings.map(|error| Finding::of(error, table.source()));
+    (Marks { pass, ..marks }, findings.collect())
+}
 
-    /// What is wrong with the sections of which the best count, for questions that are in these and not bonus.
-    pub(crate) fn check(&self, sections: &[&str], span: Span) -> Vec<MarksError> {
-        let found = |best: &Best| sections.iter().filter(|own| **own == best.section).count();
-        let lacking = self.best.iter().filter(|best| best.count > found(best));
-        lacking
-            .map(|best| MarksError::Section {
-                section: best.section.clone(),
-                found: found(best),
-                count: best.count,
-                span,
-            })
-            .collect()
-    }
+/// What is wrong with the sections of which the best count, for questions that are in these and not bonus.
+pub(crate) fn check(marks: &Marks, sections: &[&str], span: Span) -> Vec<MarksError> {
+    let found = |best: &Best| sections.iter().filter(|own| **own == best.section).count();
+    let lacking = marks.best.iter().filter(|best| best.count > found(best));
+    lacking
+        .map(|best| MarksError::Section {
+            section: best.section.clone(),
+            found: found(best),
+            count: best.count,
+            span,
+        })
+        .collect()
 }
 
 fn rounding(table: &Table<'_>, errors: &mut Vec<MarksError>) -> Option<Rounding> {
@@ -207,7 +205,7 @@ fn best(table: &Table<'_>) -> Vec<Best> {
 }
 
 /// The grades, the best first.
-fn scale(table: &Table<'_>, errors: &mut Vec<MarksError>) -> Vec<Step> {
+fn scale(table: &Table<'_>, errors: &mut Vec<MarksError>) -> Vec<GradeStep> {
     let Some(value) = table.value("scale") else {
         return Vec::new();
     };
@@ -220,7 +218,7 @@ fn scale(table: &Table<'_>, errors: &mut Vec<MarksError>) -> Vec<Step> {
             )
             .unwrap_or_default();
     };
-    let mut steps: Vec<Step> = Vec::new();
+    let mut steps: Vec<GradeStep> = Vec::new();
     for entry in entries {
         let from = bound(&entry.value).or_else(|| {
             table.wrong(
@@ -229,18 +227,18 @@ fn scale(table: &Table<'_>, errors: &mut Vec<MarksError>) -> Vec<Step> {
                 &entry.value,
             )
         });
-        steps.extend(from.map(|from| Step {
+        steps.extend(from.map(|from| GradeStep {
             grade: entry.key.clone(),
             from,
         }));
     }
-    let is_share = |step: &&Step| matches!(step.from, Bound::Share(_));
+    let is_share = |step: &&GradeStep| matches!(step.from, Bound::Share(_));
     let shares = steps.iter().filter(is_share).count();
     if shares != 0 && shares != steps.len() {
         errors.push(MarksError::Mixed(value.span));
         return steps;
     }
-    let from = |step: &Step| match step.from {
+    let from = |step: &GradeStep| match step.from {
         Bound::Points(points) | Bound::Share(points) => points,
     };
     steps.sort_by(|a, b| from(b).cmp(&from(a)).then_with(|| a.grade.cmp(&b.grade)));
@@ -262,7 +260,7 @@ fn scale(table: &Table<'_>, errors: &mut Vec<MarksError>) -> Vec<Step> {
 fn pass_of(
     table: &Table<'_>,
     value: &Value,
-    scale: &[Step],
+    scale: &[GradeStep],
     errors: &mut Vec<MarksError>,
 ) -> Option<Bound> {
     if let Some(bound) = bound(value) {
