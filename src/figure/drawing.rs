@@ -1,6 +1,6 @@
 //! A drawing under way: its lines and areas, its labels, and what labels have to keep clear of.
 
-use super::{Bounds, Fill, Label, Path, Pen, Point};
+use super::{Bounds, Fill, Head, Label, Path, Pen, Point, placing, svg};
 
 /// What is left free around the marks of a drawing.
 const MARGIN: f64 = 0.08;
@@ -263,6 +263,22 @@ impl Drawing {
             return Bounds::of(Point::default(), Point::new(1.0, 1.0));
         }
         bounds.grown(MARGIN)
+    }
+
+    /// Settles the labels that have several places. Where some find none that is free and near, all are settled again,
+    /// these first; the round with the fewest of them counts.
+    pub fn settle(&mut self) {
+        placing::settle(self);
+    }
+
+    /// Width and height in print, in millimetres.
+    pub fn size(&self) -> (f64, f64) {
+        svg::size(self)
+    }
+
+    /// The drawing as an SVG element; labels that were not settled are left out.
+    pub fn svg(&self, head: &Head<'_>) -> String {
+        svg::around(self, head, "")
     }
 }
 

@@ -28,10 +28,10 @@ mod svg;
 
 pub use drawing::{Anchor, Drawing, Lettering, Mark, Spot};
 pub use error::FigureError;
-pub use free::{Acting, FreeError, FreeFault, Move};
+pub use free::{Acting, FreeError, FreeFault, Move, draw_free, free_picture};
 pub use geometry::{Bounds, Point};
 pub use label::{LETTER_SIZE, Label};
-pub use motion::{Film, State};
+pub use motion::{Film, MovingFigure, State};
 pub use outline::{Form, Outline, Side};
 pub use part::{End, Part, Setting, Style};
 pub use path::Path;

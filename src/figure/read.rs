@@ -4,7 +4,8 @@ use super::Label;
 use super::element::{self, Element, Holds, Role, Takes};
 use super::error::FigureError;
 use super::formula::{self, Amount, FigureNames, FigurePair};
-use super::free::Acting;
+use super::free::{Acting, FreeReader};
+use super::motion::motion;
 use super::outline::Side;
 use super::part::{Setting, Style};
 use super::schematic::{DeclaredLabel, ElementPlace, Figure, Item, KeyValue, Labels, Local};
@@ -50,23 +51,19 @@ pub(crate) struct FigureReader<'a, 's> {
     wanted: Vec<(u32, bool, Text)>,
 }
 
-impl Figure {
-    /// Reads the keys of a figure but its caption; what is wrong is reported, and left out.
-    pub fn read(table: &Table<'_>, item: &dyn Subject) -> (Self, Vec<Finding>) {
-        let mut reader = FigureReader {
+impl<'a, 's> FigureReader<'a, 's> {
+    pub(crate) fn new(table: &'a Table<'s>, item: &'a dyn Subject) -> Self {
+        Self {
             table,
             item,
             names: FigureNames::default(),
             findings: Vec::new(),
             wanted: Vec::new(),
-        };
-        let figure = reader.figure();
-        (figure, reader.findings)
+        }
     }
-}
 
-impl<'s> FigureReader<'_, 's> {
-    fn figure(&mut self) -> Figure {
+    /// The figure, and what is wrong with it.
+    pub(crate) fn figure(mut self) -> (Figure, Vec<Finding>) {
         let table = self.table;
         let alt = table.text("alt").map(|text| text.value);
         let labels = self.word(table, "labels", &["symbol", "value", "both"]);
@@ -78,15 +75,14 @@ impl<'s> FigureReader<'_, 's> {
             .take(MAX_COUNT)
             .filter_map(|row| self.element(row))
             .collect();
-        self.hold_identities(&items, rows);
-        let free = self.free(&items);
+        let free = FreeReader::new(&mut self, &items).diagrams(rows);
         self.hold_wanted(&items);
         // What it takes is counted apart: a figure that stands still does not pay for its motion.
         let taken = self.names.taken();
-        let motion = self.motion();
+        let motion = motion(&mut self);
         let mut order: Vec<usize> = (0..items.len()).collect();
         crate::numerics::sort_by_key(&mut order, |place| items[*place].kind.layer());
-        Figure {
+        let figure = Figure {
             alt,
             labels: match labels {
                 Some("value") => Labels::Value,
@@ -100,7 +96,8 @@ impl<'s> FigureReader<'_, 's> {
             order,
             free,
             motion,
-        }
+        };
+        (figure, self.findings)
     }
 
     fn locals(&mut self) -> Vec<(u32, Local)> {

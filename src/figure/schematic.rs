@@ -6,10 +6,13 @@ use super::free::Free;
 use super::motion::Motion;
 use super::outline::{Outline, Side};
 use super::part::{End, Part, Setting, Style};
+use super::read::{FigureReader, Subject};
 use super::story::{self, Caption, Speaker, Story};
 use super::{Drawing, Head, Label, Point, Spot};
+use crate::diagnostic::Finding;
 use crate::expr::Name;
 use crate::math::Math;
+use crate::source::Table;
 
 /// A schematic of an item: its names and points, and its elements, compiled.
 #[derive(Debug)]
@@ -127,6 +130,21 @@ impl std::fmt::Debug for Item {
 }
 
 impl Figure {
+    /// Reads the keys of a figure but its caption; what is wrong is reported, and left out.
+    pub fn read(table: &Table<'_>, item: &dyn Subject) -> (Self, Vec<Finding>) {
+        FigureReader::new(table, item).figure()
+    }
+
+    /// Whether there are free-body diagrams.
+    pub fn has_free(&self) -> bool {
+        !self.free.is_empty()
+    }
+
+    /// Whether it says how it moves.
+    pub fn moves(&self) -> bool {
+        self.motion.is_some()
+    }
+
     /// The drawing for these data.
     ///
     /// # Errors

@@ -26,42 +26,35 @@ pub struct Head<'a> {
     pub description: &'a str,
 }
 
-impl Drawing {
-    /// Width and height in print, in millimetres.
-    pub fn size(&self) -> (f64, f64) {
-        let View { width, height, .. } = View::of(self.frame());
-        (width as f64 / 10.0, height as f64 / 10.0)
-    }
+/// Width and height in print, in millimetres.
+pub(crate) fn size(drawing: &Drawing) -> (f64, f64) {
+    let View { width, height, .. } = View::of(drawing.frame());
+    (width as f64 / 10.0, height as f64 / 10.0)
+}
 
-    /// The drawing as an SVG element; labels that were not settled are left out.
-    pub fn svg(&self, head: &Head<'_>) -> String {
-        self.svg_around(head, "")
-    }
+/// The drawing as an SVG element, with another element before its end; labels that were not settled are left out.
+pub(crate) fn around(drawing: &Drawing, head: &Head<'_>, inner: &str) -> String {
+    let mut writer = SvgWriter {
+        out: String::with_capacity(4096),
+        id: head.id,
+    };
+    writer.head(head, View::of(drawing.frame()));
+    writer.marks(&drawing.marks);
+    writer.labels(&drawing.labels);
+    writer.out.push_str(inner);
+    writer.out.push_str("</svg>");
+    writer.out
+}
 
-    /// The same with another element before its end.
-    pub(crate) fn svg_around(&self, head: &Head<'_>, inner: &str) -> String {
-        let mut writer = SvgWriter {
-            out: String::with_capacity(4096),
-            id: head.id,
-        };
-        writer.head(head, View::of(self.frame()));
-        writer.marks(&self.marks);
-        writer.labels(&self.labels);
-        writer.out.push_str(inner);
-        writer.out.push_str("</svg>");
-        writer.out
-    }
-
-    /// Its marks and labels, without the element around them.
-    pub(crate) fn content(&self, id: &str) -> String {
-        let mut writer = SvgWriter {
-            out: String::with_capacity(4096),
-            id,
-        };
-        writer.marks(&self.marks);
-        writer.labels(&self.labels);
-        writer.out
-    }
+/// Its marks and labels, without the element around them.
+pub(crate) fn content(drawing: &Drawing, id: &str) -> String {
+    let mut writer = SvgWriter {
+        out: String::with_capacity(4096),
+        id,
+    };
+    writer.marks(&drawing.marks);
+    writer.labels(&drawing.labels);
+    writer.out
 }
 
 /// The visible part of the plane, in picture units.

@@ -5,7 +5,7 @@ use std::rc::Rc;
 use super::Scene;
 use super::notation::Symbols;
 use crate::expr::Expr;
-use crate::figure::{Film, Head, State};
+use crate::figure::{Film, Head, MovingFigure, State};
 use crate::math::Math;
 use crate::mechanics::{Motion, Numbers, Quantity, Unavailable};
 use crate::message::Phrase;
@@ -103,7 +103,7 @@ pub(crate) fn moving(scene: &Scene<'_, '_>, run: Run, id: &str) -> Option<Moving
         title: &scene.language.phrase(&Phrase::Moving),
         description: "",
     };
-    let film = figure.film(scene, &states, &head).ok()??;
+    let film = MovingFigure::of(figure, scene).ok()??.film(&states, &head);
     let coordinates = numbers.model().coordinate_dimensions();
     let symbols = coordinates.iter();
     let symbols =

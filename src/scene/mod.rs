@@ -30,7 +30,7 @@ use crate::bank::{Passage, Piece};
 use crate::document::{Document, Filling};
 use crate::expr::Name;
 use crate::figure::plot::Picture as PlotPicture;
-use crate::figure::{FreeError, Given, Picture};
+use crate::figure::{FreeError, Given, Picture, free_picture};
 use crate::math::Math;
 use crate::message::{Language, Phrase};
 use crate::quantity::Absent;
@@ -262,7 +262,7 @@ impl<'s, 't> Scene<'s, 't> {
         let id = format!("{}-free", self.scope());
         figure
             .has_free()
-            .then(|| figure.free_picture(self, &id, &self.language))
+            .then(|| free_picture(figure, self, &id, &self.language))
     }
 
     /// The motions that can be shown for these data.

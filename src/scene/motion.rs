@@ -3,7 +3,7 @@
 use super::Scene;
 use super::notation::Symbols;
 use crate::expr::Expr;
-use crate::figure::Picture;
+use crate::figure::{MovingFigure, Picture};
 use crate::math::Math;
 use crate::message::Phrase;
 use crate::unit::{Decimal, Quantity, Unit};
@@ -22,8 +22,8 @@ pub(crate) fn picture(scene: &Scene<'_, '_>, number: usize) -> Option<Picture> {
     };
     let alt = scene.language.phrase(&shown);
     let id = format!("{}-mode-{number}", scene.scope());
-    let picture = figure.extremes(scene, &shape, (&id, &name, &alt));
-    picture.ok().flatten()
+    let mut figure = MovingFigure::of(figure, scene).ok()??;
+    Some(figure.extremes(&shape, (&id, &name, &alt)))
 }
 
 /// A mode shape in SI units, and its components as shares by their symbols: the largest length is 1, and the largest

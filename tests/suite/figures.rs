@@ -4,7 +4,7 @@ use std::fmt::Write as _;
 
 use crate::BANK;
 use vibank::bank::{Catalogue, Template};
-use vibank::figure::{Bounds, Drawing, Fill, LETTER_SIZE, Picture};
+use vibank::figure::{Bounds, Drawing, Fill, LETTER_SIZE, Picture, draw_free};
 use vibank::instance::Instance;
 use vibank::message::Language;
 use vibank::scene::{Data, Scene};
@@ -31,7 +31,7 @@ fn faults(template: &Template, instance: Instance<'_>) -> Vec<String> {
     let picture = scene.picture().expect("what is drawn has a picture");
     let mut faults = faults_of(&drawing, &picture);
     if figure.has_free() {
-        let free = figure.draw_free(&scene);
+        let free = draw_free(figure, &scene);
         let picture = scene.free_picture().expect("it has one");
         match free.and_then(|drawing| Ok((drawing, picture?))) {
             Ok((drawing, picture)) => faults.extend(faults_of(&drawing, &picture)),

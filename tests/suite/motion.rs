@@ -3,7 +3,7 @@
 use crate::BANK;
 use vibank::bank::{Catalogue, Template};
 use vibank::diagnostic::Severity;
-use vibank::figure::{Head, State};
+use vibank::figure::{Head, MovingFigure, State};
 use vibank::instance::Instance;
 use vibank::scene::{Data, Run, Scene};
 use vibank::solution::Solution;
@@ -73,8 +73,8 @@ fn at_rest_a_figure_that_moves_is_as_it_stands() {
         let still = figure.draw(&scene).expect("it is drawn").svg(&HEAD);
         let at = |moved| {
             let state = state(coordinates(item), moved);
-            let drawing = figure.displaced(&scene, &state).expect("it is drawn");
-            drawing.expect("it moves").svg(&HEAD)
+            let figure = MovingFigure::of(figure, &scene).expect("it is drawn");
+            figure.expect("it moves").displaced(&state).svg(&HEAD)
         };
         assert!(at(None) == still, "{} at rest", item.id);
         for moved in 0..coordinates(item) {
@@ -272,8 +272,8 @@ fn links_go_with_the_bodies_that_they_touch() {
         coordinates: vec![0.25],
         time: 0.0,
     };
-    let drawing = figure.displaced(&scene, &state).expect("it is drawn");
-    let svg = drawing.expect("it moves").svg(&HEAD);
+    let figure = MovingFigure::of(figure, &scene).expect("it is drawn");
+    let svg = figure.expect("it moves").displaced(&state).svg(&HEAD);
     // The block a quarter of a unit to the right, the end of the spring with it, the cord over the pulley as before.
     for piece in [
         "M275 -50L375 -50L375 -150L275 -150Z",

@@ -46,45 +46,44 @@ struct Cut {
     length: f64,
 }
 
-impl Figure {
-    pub(crate) fn resolved(
-        &self,
-        given: &dyn Given,
-    ) -> Result<(Drawing, Vec<FreeBody>), FreeError> {
-        let written = self.free.bodies.iter().flat_map(Body::written);
-        let items: Vec<&Item> = self
-            .items
-            .iter()
-            .chain(written.map(|written| &written.item))
-            .collect();
-        let span = self.free.bodies.first().map(|body| body.span);
-        let parts = self.parts_of(&items, given).map_err(|error| FreeError {
-            fault: FreeFault::Undrawable(error),
-            span: span.unwrap_or(crate::source::Span::NONE),
+/// The drawing, and what it says of each body.
+pub(crate) fn resolved(
+    figure: &Figure,
+    given: &dyn Given,
+) -> Result<(Drawing, Vec<FreeBody>), FreeError> {
+    let written = figure.free.bodies.iter().flat_map(Body::written);
+    let items: Vec<&Item> = figure
+        .items
+        .iter()
+        .chain(written.map(|written| &written.item))
+        .collect();
+    let span = figure.free.bodies.first().map(|body| body.span);
+    let parts = figure.parts_of(&items, given).map_err(|error| FreeError {
+        fault: FreeFault::Undrawable(error),
+        span: span.unwrap_or(crate::source::Span::NONE),
+    })?;
+    let scene = NumberedFigure {
+        figure,
+        parts,
+        values: figure.values(given),
+        items,
+    };
+    let mut drawing = Drawing::new();
+    let mut bodies = Vec::new();
+    let mut owner = figure.items.len() as u32;
+    for body in &figure.free.bodies {
+        let drawn = scene.arrows(body).map_err(|fault| FreeError {
+            fault,
+            span: body.span,
         })?;
-        let scene = NumberedFigure {
-            figure: self,
-            parts,
-            values: self.values(given),
-            items,
-        };
-        let mut drawing = Drawing::new();
-        let mut bodies = Vec::new();
-        let mut owner = self.items.len() as u32;
-        for body in &self.free.bodies {
-            let drawn = scene.arrows(body).map_err(|fault| FreeError {
-                fault,
-                span: body.span,
-            })?;
-            scene.draw(body, &drawn, &mut owner, &mut drawing);
-            bodies.push(FreeBody {
-                body: scene.named(body),
-                actions: drawn.actions,
-            });
-        }
-        drawing.settle();
-        Ok((drawing, bodies))
+        scene.draw(body, &drawn, &mut owner, &mut drawing);
+        bodies.push(FreeBody {
+            body: scene.named(body),
+            actions: drawn.actions,
+        });
     }
+    drawing.settle();
+    Ok((drawing, bodies))
 }
 
 impl Body {

@@ -13,6 +13,7 @@ mod read;
 mod work;
 
 pub use error::{FreeError, FreeFault};
+pub(crate) use read::FreeReader;
 
 use super::formula::{Amount, FigurePair};
 use super::schematic::{ElementPlace, Item};
@@ -46,6 +47,12 @@ pub struct Move {
 #[derive(Debug)]
 pub(crate) struct Free {
     bodies: Vec<Body>,
+}
+
+impl Free {
+    pub(crate) fn is_empty(&self) -> bool {
+        self.bodies.is_empty()
+    }
 }
 
 /// A body that is taken out.
@@ -168,45 +175,38 @@ impl Contact {
     }
 }
 
-impl Figure {
-    /// Whether there are free-body diagrams.
-    pub fn has_free(&self) -> bool {
-        !self.free.bodies.is_empty()
-    }
+/// The drawing of the free-body diagrams for these data.
+///
+/// # Errors
+///
+/// [`FreeError`]: an arrow and the model do not agree, or an element has no place.
+pub fn draw_free(figure: &Figure, given: &dyn Given) -> Result<Drawing, FreeError> {
+    arrows::resolved(figure, given).map(|(drawing, _)| drawing)
+}
 
-    /// The drawing of the free-body diagrams for these data.
-    ///
-    /// # Errors
-    ///
-    /// [`FreeError`]: an arrow and the model do not agree, or an element has no place.
-    pub fn draw_free(&self, given: &dyn Given) -> Result<Drawing, FreeError> {
-        self.resolved(given).map(|(drawing, _)| drawing)
-    }
-
-    /// The picture of the free-body diagrams for these data, worded by a speaker; `id` begins all identities in it.
-    ///
-    /// # Errors
-    ///
-    /// As [`Self::draw_free`].
-    pub fn free_picture(
-        &self,
-        given: &dyn Given,
-        id: &str,
-        speaker: &dyn Speaker,
-    ) -> Result<Picture, FreeError> {
-        let (drawing, bodies) = self.resolved(given)?;
-        let Caption { title, description } = speaker.caption(&Story::FreeBodies(bodies));
-        let svg = drawing.svg(&super::Head {
-            id,
-            title: &title,
-            description: &description,
-        });
-        let (width, height) = drawing.size();
-        Ok(Picture {
-            svg,
-            alt: description,
-            width,
-            height,
-        })
-    }
+/// The picture of the free-body diagrams for these data, worded by a speaker; `id` begins all identities in it.
+///
+/// # Errors
+///
+/// As [`draw_free`].
+pub fn free_picture(
+    figure: &Figure,
+    given: &dyn Given,
+    id: &str,
+    speaker: &dyn Speaker,
+) -> Result<Picture, FreeError> {
+    let (drawing, bodies) = arrows::resolved(figure, given)?;
+    let Caption { title, description } = speaker.caption(&Story::FreeBodies(bodies));
+    let svg = drawing.svg(&super::Head {
+        id,
+        title: &title,
+        description: &description,
+    });
+    let (width, height) = drawing.size();
+    Ok(Picture {
+        svg,
+        alt: description,
+        width,
+        height,
+    })
 }

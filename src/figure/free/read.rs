@@ -34,14 +34,25 @@ struct Stated {
     arrows: Vec<(Option<Text>, Option<Expr>, WrittenArrow)>,
 }
 
-impl<'s> FigureReader<'_, 's> {
-    /// The free-body diagrams.
-    pub(crate) fn free(&mut self, items: &[Item]) -> Free {
-        let table = self.table;
+/// Reads free-body diagrams in the names of a figure, whose elements are read already.
+pub(crate) struct FreeReader<'r, 'a, 's> {
+    figure: &'r mut FigureReader<'a, 's>,
+    items: &'r [Item],
+}
+
+impl<'r, 'a, 's> FreeReader<'r, 'a, 's> {
+    pub(crate) fn new(figure: &'r mut FigureReader<'a, 's>, items: &'r [Item]) -> Self {
+        Self { figure, items }
+    }
+
+    /// The free-body diagrams; `rows` are the elements as they are written.
+    pub(crate) fn diagrams(mut self, rows: &[Value]) -> Free {
+        self.hold_identities(rows);
+        let table = self.figure.table;
         let Some(outer) = table.table("free") else {
             return Free { bodies: Vec::new() };
         };
-        let acting = self.item.bodies();
+        let acting = self.figure.item.bodies();
         let mut found = Vec::new();
         let mut bodies = Vec::new();
         for entry in outer.entries() {
@@ -52,7 +63,7 @@ impl<'s> FigureReader<'_, 's> {
                 &entry.value,
             );
             let Some(inner) = inner else { continue };
-            bodies.extend(self.body(items, &acting, &inner, entry, &mut found));
+            bodies.extend(self.body(&acting, &inner, entry, &mut found));
             inner.finish();
         }
         let missing = acting.iter().filter(|own| !found.contains(&own.body));
@@ -65,12 +76,13 @@ impl<'s> FigureReader<'_, 's> {
 
     fn fault(&mut self, fault: FreeFault, span: Span) {
         let error = FreeError { fault, span };
-        self.findings.push(Finding::of(&error, self.table.source()));
+        self.figure
+            .findings
+            .push(Finding::of(&error, self.figure.table.source()));
     }
 
     fn body(
         &mut self,
-        items: &[Item],
         acting: &[Acting],
         table: &Table<'s>,
         entry: &'s Entry,
@@ -104,14 +116,14 @@ impl<'s> FigureReader<'_, 's> {
         }
         let mut kept: Vec<usize> = Vec::new();
         for id in words("keep") {
-            kept.extend(self.identified(items, &id, span));
+            kept.extend(self.identified(&id, span));
         }
-        let slots = with_company(items, &mut kept);
-        let motions = self.motions(items, &laws, table, &kept, &slots, span);
+        let slots = with_company(self.items, &mut kept);
+        let motions = self.motions(&laws, table, &kept, &slots, span);
         let stated = self.stated(table);
         let shift = table
             .value("shift")
-            .and_then(|value| self.pair(table, "shift", value));
+            .and_then(|value| self.figure.pair(table, "shift", value));
         if laws.is_empty() || kept.is_empty() {
             return None;
         }
@@ -124,15 +136,18 @@ impl<'s> FigureReader<'_, 's> {
             idle: Vec::new(),
             span,
         };
-        self.forces(items, &laws, stated, &mut body);
+        self.forces(&laws, stated, &mut body);
         Some(body)
     }
 
     /// The element with an identity.
-    fn identified(&mut self, items: &[Item], id: &str, span: Span) -> Option<usize> {
-        let found = items.iter().position(|item| item.id.as_deref() == Some(id));
+    fn identified(&mut self, id: &str, span: Span) -> Option<usize> {
+        let found = self
+            .items
+            .iter()
+            .position(|item| item.id.as_deref() == Some(id));
         if found.is_none() {
-            let known = items.iter().filter_map(|item| item.id.as_deref());
+            let known = self.items.iter().filter_map(|item| item.id.as_deref());
             let fault = FreeFault::Identity {
                 id: id.to_owned(),
                 nearest: nearest(id, known).map(str::to_owned),
@@ -145,7 +160,6 @@ impl<'s> FigureReader<'_, 's> {
     /// The ways in which the bodies of a diagram move.
     fn motions(
         &mut self,
-        items: &[Item],
         laws: &[&Acting],
         table: &Table<'s>,
         kept: &[usize],
@@ -154,11 +168,11 @@ impl<'s> FigureReader<'_, 's> {
     ) -> Option<Vec<BodyMotion>> {
         let along = table
             .value("along")
-            .and_then(|value| self.pair(table, "along", value));
-        let turn = self.word(table, "turn", &["ccw", "cw"]);
+            .and_then(|value| self.figure.pair(table, "along", value));
+        let turn = self.figure.word(table, "turn", &["ccw", "cw"]);
         let about = table
             .value("about")
-            .and_then(|value| self.place(table, "about", value));
+            .and_then(|value| self.figure.place(table, "about", value));
         let has_turn = laws
             .iter()
             .flat_map(|law| &law.moves)
@@ -169,7 +183,7 @@ impl<'s> FigureReader<'_, 's> {
             let is_divided = turn.is_some() && !has_turn && rank + 1 == laws.len();
             for own in &law.moves {
                 let shows = |kinds: &[&str]| {
-                    items.iter().position(|item| {
+                    self.items.iter().position(|item| {
                         let name = item.label.as_ref().and_then(|label| label.name.as_ref());
                         kinds.contains(&item.kind.name()) && name == Some(&own.name)
                     })
@@ -181,11 +195,11 @@ impl<'s> FigureReader<'_, 's> {
                         .or(shown.map(TurnSense::Shown));
                     let centre = about
                         .clone()
-                        .or_else(|| shown.and_then(|item| items[item].ends.first().cloned()))
+                        .or_else(|| shown.and_then(|item| self.items[item].ends.first().cloned()))
                         .or_else(|| slots.first().map(|slot| ElementPlace::Named(*slot)))
                         .or_else(|| {
                             kept.first()
-                                .and_then(|item| items[*item].ends.first().cloned())
+                                .and_then(|item| self.items[*item].ends.first().cloned())
                         });
                     sense
                         .zip(centre)
@@ -247,7 +261,7 @@ impl<'s> FigureReader<'_, 's> {
 
     fn formula(&mut self, text: &Text) -> Option<Expr> {
         let expr = Expr::read(&text.value);
-        expr.map_err(|error| self.find_in(&error, text)).ok()
+        expr.map_err(|error| self.figure.find_in(&error, text)).ok()
     }
 
     /// An arrow that is written: the force that it names, the formula of its letter, and the arrow.
@@ -264,7 +278,7 @@ impl<'s> FigureReader<'_, 's> {
             found.copied()
         });
         let Some((key, kind)) = known else {
-            self.find(&crate::figure::FigureError::Word {
+            self.figure.find(&crate::figure::FigureError::Word {
                 key: "arrow",
                 found: first.map(|entry| entry.key.clone()).unwrap_or_default(),
                 known: kinds().collect(),
@@ -273,16 +287,19 @@ impl<'s> FigureReader<'_, 's> {
             return None;
         };
         let value = table.value(key)?;
-        let place = self.place(&table, key, value);
+        let place = self.figure.place(&table, key, value);
         let direction = table
             .value("direction")
-            .and_then(|value| self.pair(&table, "direction", value));
+            .and_then(|value| self.figure.pair(&table, "direction", value));
         let at = self
+            .figure
             .word(&table, "at", &crate::figure::Side::WORDS)
             .and_then(crate::figure::Side::of_word);
         let force = table.text("force");
         let label = table.text("label");
-        let written = label.as_ref().and_then(|text| self.written(text, false));
+        let written = label
+            .as_ref()
+            .and_then(|text| self.figure.written(text, false));
         let formula = label
             .as_ref()
             .filter(|text| !text.value.starts_with('\''))
@@ -318,7 +335,7 @@ impl<'s> FigureReader<'_, 's> {
     }
 
     /// Joins each force of the model with its arrow.
-    fn forces(&mut self, items: &[Item], laws: &[&Acting], stated: Stated, body: &mut Body) {
+    fn forces(&mut self, laws: &[&Acting], stated: Stated, body: &mut Body) {
         let forces = components(laws);
         let Stated {
             links,
@@ -356,7 +373,7 @@ impl<'s> FigureReader<'_, 's> {
                 Some((_, formula, written)) => {
                     self.written_force(&product, formula.as_ref(), written, body, &name)
                 }
-                None => self.cut(items, &links, &name, &product, body.span),
+                None => self.cut(&links, &name, &product, body.span),
             };
             let Some(source) = source else {
                 let fault = FreeFault::NoArrow {
@@ -368,7 +385,7 @@ impl<'s> FigureReader<'_, 's> {
             };
             let velocity = product
                 .velocity()
-                .map(|velocity| self.item.typeset(velocity));
+                .map(|velocity| self.figure.item.typeset(velocity));
             body.forces.push(Force {
                 name: force.name,
                 signs: force
@@ -443,13 +460,12 @@ impl<'s> FigureReader<'_, 's> {
             value: formula.to_string(),
             span,
         };
-        self.amount(&text)
+        self.figure.amount(&text)
     }
 
     /// A force whose arrow is left by a link, or shown by the figure.
     fn cut(
         &mut self,
-        items: &[Item],
         links: &[(String, Vec<Text>)],
         name: &str,
         product: &Product,
@@ -457,10 +473,11 @@ impl<'s> FigureReader<'_, 's> {
     ) -> Option<ForceOrigin> {
         let linked = links.iter().find(|(own, _)| own == name);
         let Some((_, ids)) = linked else {
-            let item = items
+            let item = self
+                .items
                 .iter()
                 .position(|item| item.id.as_deref() == Some(name))?;
-            return match items[item].kind.role() {
+            return match self.items[item].kind.role() {
                 Role::Thing(_) => Some(ForceOrigin::Shown(item)),
                 Role::Link(_) => Some(self.links(vec![(item, Strand::All)], product)),
                 _ => None,
@@ -473,8 +490,8 @@ impl<'s> FigureReader<'_, 's> {
                 Some((id, "last")) => (id, Strand::Last),
                 _ => (text.value.as_str(), Strand::All),
             };
-            let item = self.identified(items, id, span)?;
-            if !matches!(items[item].kind.role(), Role::Link(_)) {
+            let item = self.identified(id, span)?;
+            if !matches!(self.items[item].kind.role(), Role::Link(_)) {
                 return None;
             }
             cut.push((item, strand));
@@ -491,15 +508,15 @@ impl<'s> FigureReader<'_, 's> {
     }
 
     fn set(&self, product: &Product) -> (Label, Math) {
-        let math = self.item.typeset(&product.letter());
+        let math = self.figure.item.typeset(&product.letter());
         (Label::of(&math), math)
     }
 
     /// Elements do not share an identity.
-    pub(crate) fn hold_identities(&mut self, items: &[Item], rows: &[Value]) {
-        for (place, item) in items.iter().enumerate() {
+    fn hold_identities(&mut self, rows: &[Value]) {
+        for (place, item) in self.items.iter().enumerate() {
             let Some(id) = &item.id else { continue };
-            if items[..place]
+            if self.items[..place]
                 .iter()
                 .any(|other| other.id.as_ref() == Some(id))
             {

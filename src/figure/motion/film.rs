@@ -8,7 +8,7 @@ use crate::figure::part::{Part, Style};
 use crate::figure::schematic::drawn;
 use crate::figure::{
     Bounds, Drawing, Figure, Fill, Given, Head, Lettering, Path, Pen, Picture, Point, Undrawable,
-    Weight,
+    Weight, svg,
 };
 
 /// A figure that moves, as an SVG element and what is drawn in it one after the other.
@@ -20,8 +20,8 @@ pub struct Film {
     pub frames: Vec<String>,
 }
 
-/// A figure at rest, with its labels at their places.
-struct RestingFigure<'f> {
+/// A figure that moves, at rest, with its labels at their places.
+pub struct MovingFigure<'f> {
     figure: &'f Figure,
     motion: &'f Motion,
     values: super::FigureValues,
@@ -32,56 +32,58 @@ struct RestingFigure<'f> {
     hides: bool,
 }
 
-impl Figure {
-    /// The drawing with the coordinates of its model at a state, one unit of a shift for each metre and one radian of a
-    /// turn for each radian; nothing where it has no motion.
+impl<'f> MovingFigure<'f> {
+    /// A figure for these data; nothing where it has no motion.
     ///
     /// # Errors
     ///
     /// [`Undrawable`].
-    pub fn displaced(
-        &self,
-        given: &dyn Given,
-        state: &State,
-    ) -> Result<Option<Drawing>, Undrawable> {
-        let Some(mut scene) = self.scene(given)? else {
+    pub fn of(figure: &'f Figure, given: &dyn Given) -> Result<Option<Self>, Undrawable> {
+        let Some(motion) = &figure.motion else {
             return Ok(None);
         };
-        let displacements = scene.motion.displacements(&mut scene.values, state);
-        scene.hides = false;
-        let motion = scene.motion;
-        let rigid = motion.drawn(&scene.values, &displacements, (1.0, 1.0), false);
-        Ok(Some(scene.drawing(&rigid, |_| true)))
+        let values = motion.values(figure, given);
+        let parts = figure.parts(given)?;
+        let labels = drawn(&parts, &figure.items, &figure.order).labels;
+        let places = motion.points.iter();
+        let places = places.map(|point| point.at(&values)).collect();
+        Ok(Some(Self {
+            figure,
+            motion,
+            values,
+            parts,
+            labels,
+            places,
+            hides: true,
+        }))
+    }
+
+    /// The drawing with the coordinates of its model at a state, one unit of a shift for each metre and one radian of a
+    /// turn for each radian.
+    pub fn displaced(&mut self, state: &State) -> Drawing {
+        let displacements = self.motion.displacements(&mut self.values, state);
+        self.hides = false;
+        let motion = self.motion;
+        let rigid = motion.drawn(&self.values, &displacements, (1.0, 1.0), false);
+        self.drawing(&rigid, |_| true)
     }
 
     /// The figure with both extremes of a shape, one in light lines and one in dots; `name` says what it is.
-    ///
-    /// # Errors
-    ///
-    /// [`Undrawable`].
-    pub fn extremes(
-        &self,
-        given: &dyn Given,
-        shape: &[f64],
-        (id, name, alt): (&str, &str, &str),
-    ) -> Result<Option<Picture>, Undrawable> {
-        let Some(mut scene) = self.scene(given)? else {
-            return Ok(None);
-        };
+    pub fn extremes(&mut self, shape: &[f64], (id, name, alt): (&str, &str, &str)) -> Picture {
         let all = [1.0, -1.0, 0.0].map(|sign| {
             let state = State {
                 coordinates: shape.iter().map(|own| own * sign).collect(),
                 time: 0.0,
             };
-            scene.motion.displacements(&mut scene.values, &state)
+            self.motion.displacements(&mut self.values, &state)
         });
-        let poses = scene.scaled(&all);
+        let poses = self.scaled(&all);
         let mut drawing = Drawing::new();
         // In other lines each, so that one sees which displacements belong together.
         for (rigid, style) in poses.iter().zip([Style::Faint, Style::Dotted]) {
-            scene.shadow(rigid, style, &mut drawing);
+            self.shadow(rigid, style, &mut drawing);
         }
-        let middle = scene.drawing(&poses[2], |_| true);
+        let middle = self.drawing(&poses[2], |_| true);
         drawing.add(middle);
         let svg = drawing.svg(&Head {
             id,
@@ -89,40 +91,28 @@ impl Figure {
             description: alt,
         });
         let (width, height) = drawing.size();
-        Ok(Some(Picture {
+        Picture {
             svg,
             alt: alt.to_owned(),
             width,
             height,
-        }))
+        }
     }
 
     /// The pictures at the states of a motion.
-    ///
-    /// # Errors
-    ///
-    /// [`Undrawable`].
-    pub fn film(
-        &self,
-        given: &dyn Given,
-        states: &[State],
-        head: &Head<'_>,
-    ) -> Result<Option<Film>, Undrawable> {
-        let Some(mut scene) = self.scene(given)? else {
-            return Ok(None);
-        };
+    pub fn film(&mut self, states: &[State], head: &Head<'_>) -> Film {
         let all: Vec<Displacements> = states
             .iter()
-            .map(|state| scene.motion.displacements(&mut scene.values, state))
+            .map(|state| self.motion.displacements(&mut self.values, state))
             .collect();
-        let poses = scene.scaled(&all);
-        let is_still = |place: usize| scene.is_still(place);
-        let mut still = scene.drawing(&[], is_still);
+        let poses = self.scaled(&all);
+        let is_still = |place: usize| self.is_still(place);
+        let mut still = self.drawing(&[], is_still);
         let mut frames: Vec<Drawing> = poses
             .iter()
             .map(|rigid| {
-                let mut frame = scene.drawing(rigid, |place| !is_still(place));
-                scene.spokes(rigid, &mut frame);
+                let mut frame = self.drawing(rigid, |place| !is_still(place));
+                self.spokes(rigid, &mut frame);
                 frame
             })
             .collect();
@@ -132,37 +122,15 @@ impl Figure {
             .fold(still.frame(), Bounds::joined);
         still.labels.clear();
         still.keep_frame(frame);
-        Ok(Some(Film {
-            svg: still.svg_around(head, "<g class=\"moving\"></g>"),
+        Film {
+            svg: svg::around(&still, head, "<g class=\"moving\"></g>"),
             frames: frames
                 .iter_mut()
-                .map(|frame| frame.content(head.id))
+                .map(|frame| svg::content(frame, head.id))
                 .collect(),
-        }))
+        }
     }
 
-    fn scene(&self, given: &dyn Given) -> Result<Option<RestingFigure<'_>>, Undrawable> {
-        let Some(motion) = &self.motion else {
-            return Ok(None);
-        };
-        let values = motion.values(self, given);
-        let parts = self.parts(given)?;
-        let labels = drawn(&parts, &self.items, &self.order).labels;
-        let places = motion.points.iter();
-        let places = places.map(|point| point.at(&values)).collect();
-        Ok(Some(RestingFigure {
-            figure: self,
-            motion,
-            values,
-            parts,
-            labels,
-            places,
-            hides: true,
-        }))
-    }
-}
-
-impl RestingFigure<'_> {
     /// Where the points of a motion are, in the scale that shows all of it.
     fn scaled(&self, all: &[Displacements]) -> Vec<Vec<Rigid>> {
         let scales = self.motion.scales(&self.values, all);

@@ -9,7 +9,8 @@ mod film;
 mod pose;
 mod read;
 
-pub use film::Film;
+pub use film::{Film, MovingFigure};
+pub(crate) use read::motion;
 
 use super::formula::{Amount, FigurePair, FigureValues};
 use super::{Figure, Given, Point};
@@ -77,13 +78,6 @@ pub struct State {
 
 /// The displacements of the points of a motion, before they are scaled.
 type Displacements = Vec<(Point, f64)>;
-
-impl Figure {
-    /// Whether it says how it moves.
-    pub fn moves(&self) -> bool {
-        self.motion.is_some()
-    }
-}
 
 impl Motion {
     /// The numbers of the names, with those that the motion takes.
