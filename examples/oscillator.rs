@@ -5,7 +5,7 @@
 use std::error::Error;
 use std::io::{self, Write};
 
-use vibank::figure::plot::{Axis, Course, Curve, Plot, Spacing, Style};
+use vibank::figure::plot::{Axis, Course, Curve, CurveStyle, Plot, Spacing};
 use vibank::math::symbol;
 use vibank::message::Language;
 use vibank::unit::{DecimalMark, Unit};
@@ -33,7 +33,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let curve = Curve {
         course: Course::Graph(Box::new(|time| Some(100.0 * motion.position(time)))),
         label: None,
-        style: Style::Solid,
+        style: CurveStyle::Solid,
     };
     let plot = Plot {
         x: axis("t", "s")?,

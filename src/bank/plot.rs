@@ -1,6 +1,6 @@
 //! Plots as an item declares them: which formulas are drawn against what.
 
-use crate::figure::plot::Style;
+use crate::figure::plot::CurveStyle;
 use crate::math::Math;
 use crate::quantity::NodeId;
 use crate::unit::Unit;
@@ -81,7 +81,7 @@ pub struct Curve {
     /// What stands at it.
     pub label: Option<Math>,
     /// How it is drawn.
-    pub style: Style,
+    pub style: CurveStyle,
     /// Quantities that have other values for this curve.
     pub with: Vec<(NodeId, NodeId)>,
     /// From where to where of the variable it is drawn, if not over all of the axis.
@@ -133,7 +133,7 @@ pub struct Phasor {
     /// Whether it begins at the tip of the one before.
     pub is_joined: bool,
     /// How it is drawn.
-    pub style: Style,
+    pub style: CurveStyle,
 }
 
 /// An angle between the directions of two complex numbers.

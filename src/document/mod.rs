@@ -27,7 +27,7 @@ pub use placeholder::{Form, Placeholder};
 #[cfg(feature = "render")]
 pub(crate) use read::read_bare;
 #[cfg(feature = "render")]
-pub use read::{Reading, TextError, read_math};
+pub use read::{TextError, TextReading, read_math};
 #[cfg(feature = "render")]
 pub(crate) use typst::write_picture;
 
@@ -182,7 +182,7 @@ impl Document {
     /// assert_eq!(reading.document.plain(&fills), "A block of mass 2.0 with ωₙ = 3.0.");
     /// ```
     #[cfg(feature = "render")]
-    pub fn read(text: &str) -> Reading {
+    pub fn read(text: &str) -> TextReading {
         read::read(text)
     }
 

@@ -44,7 +44,7 @@ impl Wish {
 
 /// What an export holds.
 #[derive(Clone, Debug, Default)]
-pub struct Tally {
+pub struct ExportTally {
     /// How many questions were written.
     pub questions: usize,
     /// How many boxes they have that the platform marks.
@@ -73,7 +73,7 @@ pub trait Export {
     fn add(&mut self, sheet: &Sheet<'_>, question: &SheetQuestion<'_>, number: usize);
 
     /// What was written so far.
-    fn tally(&self) -> &Tally;
+    fn tally(&self) -> &ExportTally;
 
     /// The bytes of the file.
     ///

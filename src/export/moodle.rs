@@ -14,8 +14,8 @@ use super::cloze::{self, Alternative};
 use super::held::{Held, HeldPart, Sorted};
 use super::pictures::Pictures;
 use super::units::accepted;
-use super::words::Words;
-use super::{Export, Tally, Wish};
+use super::words::QuestionWords;
+use super::{Export, ExportTally, Wish};
 use crate::answer::Band;
 use crate::math::escape;
 use crate::message::Phrase;
@@ -33,7 +33,7 @@ const PENALTY: &str = "    <penalty>0.3333333</penalty>\n    <hidden>0</hidden>\
 pub struct Moodle {
     out: String,
     wish: Wish,
-    tally: Tally,
+    tally: ExportTally,
     /// The category of the question that is written.
     path: String,
     /// The category that was written last.
@@ -47,7 +47,7 @@ impl Export for Moodle {
     }
 
     fn add(&mut self, sheet: &Sheet<'_>, question: &SheetQuestion<'_>, number: usize) {
-        let words = Words::of(sheet, question, number, &self.wish, FILES);
+        let words = QuestionWords::of(sheet, question, number, &self.wish, FILES);
         let sorted = Sorted::of(&words.scene, question, &mut self.tally.unfit);
         match single(&words, &sorted).filter(|_| self.wish.has_units) {
             Some((asked, bands, unit)) => self.numerical(&words, asked, bands, &unit),
@@ -60,7 +60,7 @@ impl Export for Moodle {
         }
     }
 
-    fn tally(&self) -> &Tally {
+    fn tally(&self) -> &ExportTally {
         &self.tally
     }
 
@@ -79,14 +79,14 @@ impl Moodle {
         Self {
             out,
             wish,
-            tally: Tally::default(),
+            tally: ExportTally::default(),
             current: path.clone(),
             path,
         }
     }
 
     /// All parts that fit, as one question with a blank for each value.
-    fn cloze<'c>(&mut self, words: &Words<'_, 'c>, sorted: &Sorted<'c>) {
+    fn cloze<'c>(&mut self, words: &QuestionWords<'_, 'c>, sorted: &Sorted<'c>) {
         let mut pictures = Pictures::default();
         let mut body = words.statement(&mut pictures);
         for ((asked, held), weight) in sorted.fit.iter().zip(sorted.weights()) {
@@ -113,7 +113,7 @@ impl Moodle {
     /// The one number that is asked, as a question that reads units.
     fn numerical<'c>(
         &mut self,
-        words: &Words<'_, 'c>,
+        words: &QuestionWords<'_, 'c>,
         asked: &HeldPart<'c>,
         bands: &[Band],
         unit: &Unit,
@@ -164,7 +164,7 @@ impl Moodle {
     }
 
     /// The parts that ranges and options cannot mark, as one essay with the keys for whoever marks it.
-    fn essay<'c>(&mut self, words: &Words<'_, 'c>, parts: &[HeldPart<'c>]) {
+    fn essay<'c>(&mut self, words: &QuestionWords<'_, 'c>, parts: &[HeldPart<'c>]) {
         let mut pictures = Pictures::default();
         let mut body = words.statement(&mut pictures);
         let mut points = Rational::ZERO;
@@ -229,7 +229,7 @@ impl Moodle {
 
 /// The one number of a question in which nothing else fits, with its unit.
 fn single<'w, 'c>(
-    words: &Words<'_, 'c>,
+    words: &QuestionWords<'_, 'c>,
     sorted: &'w Sorted<'c>,
 ) -> Option<(&'w HeldPart<'c>, &'w [Band], Unit)> {
     let [(asked, Held::Numbers(values))] = &sorted.fit[..] else {
@@ -297,7 +297,7 @@ pub(super) fn spaced(html: &str) -> String {
 /// The boxes of a part, what they ask for before them and the unit after.
 fn write_blank(
     out: &mut String,
-    words: &Words<'_, '_>,
+    words: &QuestionWords<'_, '_>,
     place: usize,
     held: &Held,
     weight: u64,

@@ -15,7 +15,7 @@ use crate::scene::{Scene, Shown};
 use crate::worksheet::{Sheet, SheetQuestion};
 
 /// The texts of one question.
-pub(crate) struct Words<'s, 'c> {
+pub(crate) struct QuestionWords<'s, 'c> {
     pub(crate) scene: Scene<'s, 'c>,
     /// The code of its variant.
     code: String,
@@ -30,7 +30,7 @@ pub(crate) struct Words<'s, 'c> {
     folder: &'static str,
 }
 
-impl<'s, 'c> Words<'s, 'c> {
+impl<'s, 'c> QuestionWords<'s, 'c> {
     pub(crate) fn of(
         sheet: &Sheet<'_>,
         question: &'s SheetQuestion<'c>,

@@ -4,12 +4,12 @@ use super::{Drawing, Fill, Path, Pen, Point, Weight};
 
 /// The head of an arrow.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Head {
+pub(crate) struct ArrowHead {
     length: f64,
     half_width: f64,
 }
 
-impl Head {
+impl ArrowHead {
     /// Of forces and moments.
     pub(crate) const BOLD: Self = Self {
         length: 0.26,
@@ -47,7 +47,7 @@ impl Head {
 }
 
 /// Draws an arrow from one point to another.
-pub(crate) fn arrow(drawing: &mut Drawing, from: Point, to: Point, pen: Pen, head: Head) {
+pub(crate) fn arrow(drawing: &mut Drawing, from: Point, to: Point, pen: Pen, head: ArrowHead) {
     let along = (to - from).unit();
     let neck = to - along * (0.75 * head.length).min(from.distance(to));
     drawing.stroke(Path::line(from, neck), pen);
@@ -56,7 +56,7 @@ pub(crate) fn arrow(drawing: &mut Drawing, from: Point, to: Point, pen: Pen, hea
 
 /// Draws an arrow at both ends.
 pub(crate) fn double(drawing: &mut Drawing, a: Point, b: Point, pen: Pen) {
-    let head = Head::SLIM;
+    let head = ArrowHead::SLIM;
     let along = (b - a).unit() * (0.75 * head.length).min(a.distance(b) / 2.0);
     drawing.stroke(Path::line(a + along, b - along), pen);
     head.draw(drawing, a, a - b);
@@ -113,7 +113,7 @@ impl Orbit {
 
 /// Draws an arrow along a circle, from one angle to another, in radians.
 pub(crate) fn bent(drawing: &mut Drawing, orbit: Orbit, from: f64, to: f64, pen: Pen) {
-    let head = Head::of(pen);
+    let head = ArrowHead::of(pen);
     let share = head.length / orbit.radius.max(1e-3);
     let turn = (to - from).signum();
     let neck = to - turn * (0.75 * share).min((to - from).abs());

@@ -27,7 +27,7 @@ const WIDEST: f64 = 1.25;
 /// ```
 #[derive(Clone, Debug, Default)]
 pub struct Drawing {
-    pub(crate) marks: Vec<Mark>,
+    pub(crate) marks: Vec<DrawnPath>,
     pub(crate) labels: Vec<Lettering>,
     pub(crate) obstacles: Vec<Obstacle>,
     pub(crate) areas: Vec<Area>,
@@ -39,7 +39,7 @@ pub struct Drawing {
 
 /// A line or area of a drawing.
 #[derive(Clone, Debug)]
-pub struct Mark {
+pub struct DrawnPath {
     /// Its line or outline.
     pub path: Path,
     /// How the line is drawn, if it is.
@@ -180,7 +180,7 @@ impl Drawing {
         if path.is_empty() {
             return;
         }
-        self.marks.push(Mark {
+        self.marks.push(DrawnPath {
             path,
             pen,
             fill,
@@ -228,7 +228,7 @@ impl Drawing {
     }
 
     /// The marks, in the order in which they cover each other.
-    pub fn marks(&self) -> &[Mark] {
+    pub fn marks(&self) -> &[DrawnPath] {
         &self.marks
     }
 

@@ -46,7 +46,7 @@ pub(crate) struct FigureNames {
 }
 
 /// The names of a figure before those of the item.
-pub(crate) struct Local<'a> {
+pub(crate) struct LocalScope<'a> {
     pub(crate) names: &'a FigureNames,
     pub(crate) item: &'a dyn Scope,
 }
@@ -104,7 +104,7 @@ impl FigureNames {
     }
 }
 
-impl Scope for Local<'_> {
+impl Scope for LocalScope<'_> {
     fn name(&self, name: &Name) -> Option<Type> {
         match self.names.find(name) {
             Some((_, _, None)) => {
@@ -121,7 +121,7 @@ impl Scope for Local<'_> {
     }
 }
 
-impl Binder for Local<'_> {
+impl Binder for LocalScope<'_> {
     fn name(&self, variable: &Variable, _local: &[Name]) -> Option<Binding> {
         if variable.order > 0 {
             return None;
@@ -150,7 +150,7 @@ impl Binder for Local<'_> {
     }
 }
 
-impl Local<'_> {
+impl LocalScope<'_> {
     /// Reads a formula for one number.
     pub(crate) fn amount(&self, text: &Text, report: &mut ErrorReport<'_>) -> Option<Amount> {
         let expr = read(text, report)?;

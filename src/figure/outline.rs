@@ -8,14 +8,14 @@ pub struct Outline {
     /// Its middle.
     pub centre: Point,
     /// A circle or a turned rectangle.
-    pub form: Form,
+    pub form: OutlineForm,
     /// Whether links to its point go to its middle, as to the axle of a disk.
     pub has_axle: bool,
 }
 
 /// The form of an outline.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Form {
+pub enum OutlineForm {
     /// A box with these halves of its sides, turned by an angle in radians.
     Box {
         /// Half of width and height.
@@ -84,7 +84,7 @@ impl Outline {
         let half = Point::new(width / 2.0, height / 2.0);
         Self {
             centre,
-            form: Form::Box { half, angle },
+            form: OutlineForm::Box { half, angle },
             has_axle: false,
         }
     }
@@ -93,7 +93,7 @@ impl Outline {
     pub fn round(centre: Point, radius: f64, has_axle: bool) -> Self {
         Self {
             centre,
-            form: Form::Round { radius },
+            form: OutlineForm::Round { radius },
             has_axle,
         }
     }
@@ -102,12 +102,12 @@ impl Outline {
     pub fn side(&self, side: Side) -> (Point, Point) {
         let direction = side.direction();
         match self.form {
-            Form::Box { half, angle } => {
+            OutlineForm::Box { half, angle } => {
                 let out = turned(direction, angle);
                 let reach = (direction.x * half.x).abs() + (direction.y * half.y).abs();
                 (self.centre + out * reach, out)
             }
-            Form::Round { radius } => (self.centre + direction * radius, direction),
+            OutlineForm::Round { radius } => (self.centre + direction * radius, direction),
         }
     }
 
@@ -115,7 +115,7 @@ impl Outline {
     pub fn entry(&self, from: Point, inside: Point) -> Point {
         let way = inside - from;
         let share = match self.form {
-            Form::Box { half, angle } => {
+            OutlineForm::Box { half, angle } => {
                 let (start, way) = (turned(from - self.centre, -angle), turned(way, -angle));
                 let enter = |start: f64, way: f64, half: f64| {
                     if way.abs() < 1e-9 {
@@ -126,7 +126,7 @@ impl Outline {
                 };
                 enter(start.x, way.x, half.x).max(enter(start.y, way.y, half.y))
             }
-            Form::Round { radius } => {
+            OutlineForm::Round { radius } => {
                 let start = from - self.centre;
                 let (a, b) = (way.dot(way), way.dot(start));
                 let rest = b * b - a * (start.dot(start) - radius * radius);
@@ -143,29 +143,29 @@ impl Outline {
     /// Whether a point lies in it, or at most this far outside.
     pub fn is_near(&self, point: Point, margin: f64) -> bool {
         match self.form {
-            Form::Box { half, angle } => {
+            OutlineForm::Box { half, angle } => {
                 let local = turned(point - self.centre, -angle);
                 local.x.abs() <= half.x + margin && local.y.abs() <= half.y + margin
             }
-            Form::Round { radius } => point.distance(self.centre) <= radius + margin,
+            OutlineForm::Round { radius } => point.distance(self.centre) <= radius + margin,
         }
     }
 
     /// How far it reaches across a direction.
     pub(crate) fn breadth(&self, direction: Point) -> f64 {
         match self.form {
-            Form::Box { half, angle } => {
+            OutlineForm::Box { half, angle } => {
                 let across = turned(direction.unit().left(), -angle);
                 2.0 * ((across.x * half.x).abs() + (across.y * half.y).abs())
             }
-            Form::Round { radius } => 2.0 * radius,
+            OutlineForm::Round { radius } => 2.0 * radius,
         }
     }
 
     /// The box around it.
     pub fn bounds(&self) -> Bounds {
         match self.form {
-            Form::Box { half, angle } => {
+            OutlineForm::Box { half, angle } => {
                 let (x, y) = (
                     turned(Point::new(half.x, 0.0), angle),
                     turned(Point::new(0.0, half.y), angle),
@@ -176,17 +176,21 @@ impl Outline {
                     2.0 * (x.y.abs() + y.y.abs()),
                 )
             }
-            Form::Round { radius } => Bounds::around(self.centre, 2.0 * radius, 2.0 * radius),
+            OutlineForm::Round { radius } => {
+                Bounds::around(self.centre, 2.0 * radius, 2.0 * radius)
+            }
         }
     }
 
     /// Its corners, counterclockwise; none for a circle.
     pub(crate) fn corners(&self) -> Vec<Point> {
         match self.form {
-            Form::Box { half, angle } => [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)]
-                .map(|(x, y)| self.centre + turned(Point::new(x * half.x, y * half.y), angle))
-                .to_vec(),
-            Form::Round { .. } => Vec::new(),
+            OutlineForm::Box { half, angle } => {
+                [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)]
+                    .map(|(x, y)| self.centre + turned(Point::new(x * half.x, y * half.y), angle))
+                    .to_vec()
+            }
+            OutlineForm::Round { .. } => Vec::new(),
         }
     }
 
@@ -203,11 +207,11 @@ impl Outline {
             Point::new(bounds.high.x, bounds.low.y),
         ];
         corners.iter().all(|corner| match self.form {
-            Form::Box { half, angle } => {
+            OutlineForm::Box { half, angle } => {
                 let local = turned(*corner - self.centre, -angle);
                 local.x.abs() <= half.x && local.y.abs() <= half.y
             }
-            Form::Round { radius } => corner.distance(self.centre) <= radius,
+            OutlineForm::Round { radius } => corner.distance(self.centre) <= radius,
         })
     }
 }

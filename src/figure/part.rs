@@ -19,7 +19,7 @@ pub struct Part<'f> {
     /// Where the label is wanted.
     pub at: Option<Side>,
     /// How its lines are drawn.
-    pub style: Style,
+    pub style: LineStyle,
     /// How far it is moved to its left, where several links share their ends.
     pub shift: f64,
     /// What the label is a picture of; for descriptions.
@@ -54,7 +54,7 @@ pub enum Setting {
 
 /// How the lines of an element are drawn.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Style {
+pub enum LineStyle {
     /// As the element has it.
     #[default]
     Solid,
@@ -66,7 +66,7 @@ pub enum Style {
     Faint,
 }
 
-impl Style {
+impl LineStyle {
     /// The words of `style`.
     pub const WORDS: [&str; 4] = ["solid", "dashed", "dotted", "faint"];
 
@@ -126,16 +126,16 @@ impl Part<'_> {
     pub fn pen(&self, weight: Weight) -> Pen {
         let pen = Pen::new(weight);
         match self.style {
-            Style::Solid => pen,
-            Style::Dashed => pen.dashed(Dash::Dashed),
-            Style::Dotted => pen.dashed(Dash::Dotted),
-            Style::Faint => pen.faint(),
+            LineStyle::Solid => pen,
+            LineStyle::Dashed => pen.dashed(Dash::Dashed),
+            LineStyle::Dotted => pen.dashed(Dash::Dotted),
+            LineStyle::Faint => pen.faint(),
         }
     }
 
     /// The filling of its areas: what is only hinted at has none.
     pub fn fill(&self, fill: Fill) -> Fill {
-        if self.style == Style::Solid {
+        if self.style == LineStyle::Solid {
             fill
         } else {
             Fill::None

@@ -7,7 +7,7 @@ use super::formula::{self, Amount, FigureNames, FigurePair};
 use super::free::{Acting, FreeReader};
 use super::motion::motion;
 use super::outline::Side;
-use super::part::{Setting, Style};
+use super::part::{LineStyle, Setting};
 use super::schematic::{DeclaredLabel, ElementPlace, Figure, Item, KeyValue, Labels, Local};
 use crate::diagnostic::{Diagnose, Finding};
 use crate::expr::{Expr, Kind, Name, Scope};
@@ -181,8 +181,8 @@ impl<'a, 's> FigureReader<'a, 's> {
             .word(&table, "at", &Side::WORDS)
             .and_then(Side::of_word);
         let style = self
-            .word(&table, "style", &Style::WORDS)
-            .and_then(Style::of_word);
+            .word(&table, "style", &LineStyle::WORDS)
+            .and_then(LineStyle::of_word);
         let id = table.text("id").map(|text| text.value);
         table.finish();
         Some(Item {
@@ -252,7 +252,7 @@ impl<'a, 's> FigureReader<'a, 's> {
         None
     }
 
-    fn setting(&mut self, table: &Table<'s>, key: &element::Key) -> Option<KeyValue> {
+    fn setting(&mut self, table: &Table<'s>, key: &element::ElementKey) -> Option<KeyValue> {
         let value = || table.value(key.name);
         match key.holds {
             Holds::Flag => table
@@ -342,7 +342,7 @@ impl<'a, 's> FigureReader<'a, 's> {
         if let Data::Text(_) = value.data {
             let text = table.as_text(key, value)?;
             let (source, findings) = (table.source(), &mut self.findings);
-            let local = formula::Local {
+            let local = formula::LocalScope {
                 names: &self.names,
                 item: self.item.scope(),
             };
@@ -355,7 +355,7 @@ impl<'a, 's> FigureReader<'a, 's> {
 
     pub(crate) fn amount(&mut self, text: &Text) -> Option<Amount> {
         let (source, findings) = (self.table.source(), &mut self.findings);
-        let local = formula::Local {
+        let local = formula::LocalScope {
             names: &self.names,
             item: self.item.scope(),
         };

@@ -5,7 +5,7 @@ use super::formula::{Amount, FigurePair, FigureValues};
 use super::free::Free;
 use super::motion::Motion;
 use super::outline::{Outline, Side};
-use super::part::{End, Part, Setting, Style};
+use super::part::{End, LineStyle, Part, Setting};
 use super::read::{FigureReader, Subject};
 use super::story::{self, Caption, Speaker, Story};
 use super::{Drawing, Head, Label, Point, Spot};
@@ -32,7 +32,7 @@ pub struct Figure {
 }
 
 /// What a figure asks of the data for which it is drawn.
-pub trait Given {
+pub trait FigureData {
     /// The real number of a name of the item, in SI units.
     fn number(&self, name: &Name) -> Option<f64>;
 
@@ -68,7 +68,7 @@ pub(crate) struct Item {
     pub(crate) settings: Vec<(&'static str, KeyValue)>,
     pub(crate) label: Option<DeclaredLabel>,
     pub(crate) at: Option<Side>,
-    pub(crate) style: Style,
+    pub(crate) style: LineStyle,
 }
 
 /// The place of an element.
@@ -150,7 +150,7 @@ impl Figure {
     /// # Errors
     ///
     /// [`Undrawable`].
-    pub fn draw(&self, given: &dyn Given) -> Result<Drawing, Undrawable> {
+    pub fn draw(&self, given: &dyn FigureData) -> Result<Drawing, Undrawable> {
         Ok(drawn(&self.parts(given)?, &self.items, &self.order))
     }
 
@@ -161,7 +161,7 @@ impl Figure {
     /// [`Undrawable`].
     pub fn picture(
         &self,
-        given: &dyn Given,
+        given: &dyn FigureData,
         id: &str,
         speaker: &dyn Speaker,
     ) -> Result<Picture, Undrawable> {
@@ -184,7 +184,7 @@ impl Figure {
         })
     }
 
-    pub(crate) fn parts(&self, given: &dyn Given) -> Result<Vec<Part<'_>>, Undrawable> {
+    pub(crate) fn parts(&self, given: &dyn FigureData) -> Result<Vec<Part<'_>>, Undrawable> {
         self.parts_of(&self.items.iter().collect::<Vec<_>>(), given)
     }
 
@@ -192,7 +192,7 @@ impl Figure {
     pub(crate) fn parts_of<'f>(
         &'f self,
         items: &[&'f Item],
-        given: &dyn Given,
+        given: &dyn FigureData,
     ) -> Result<Vec<Part<'f>>, Undrawable> {
         let values = self.values(given);
         let mut parts = Vec::with_capacity(items.len());
@@ -212,7 +212,7 @@ impl Figure {
     }
 
     /// The numbers of all names.
-    pub(crate) fn values(&self, given: &dyn Given) -> FigureValues {
+    pub(crate) fn values(&self, given: &dyn FigureData) -> FigureValues {
         let mut values = FigureValues::new(self.slots);
         for (name, slot) in &self.taken {
             values.set(*slot, given.number(name).unwrap_or(f64::NAN));
@@ -230,7 +230,7 @@ impl Figure {
         values
     }
 
-    fn part<'f>(&self, item: &'f Item, values: &FigureValues, given: &dyn Given) -> Part<'f> {
+    fn part<'f>(&self, item: &'f Item, values: &FigureValues, given: &dyn FigureData) -> Part<'f> {
         let ends = item.ends.iter().map(|place| {
             let pass = match place {
                 ElementPlace::Pass(_, is_left) => Some(*is_left),
@@ -266,7 +266,7 @@ impl Figure {
         }
     }
 
-    fn label(&self, written: &DeclaredLabel, given: &dyn Given) -> Label {
+    fn label(&self, written: &DeclaredLabel, given: &dyn FigureData) -> Label {
         let value = match (self.labels, &written.name) {
             (Labels::Symbol, _) | (_, None) => None,
             (_, Some(name)) => given.value(name),

@@ -132,16 +132,16 @@ pub struct Curves {
     /// Whether the axis to the right is logarithmic.
     pub is_logarithmic: bool,
     /// The curves of which something can be said.
-    pub curves: Vec<Curve>,
+    pub curves: Vec<DescribedCurve>,
     /// Marked points: what stands there, and where they are.
     pub marks: Vec<(Option<Math>, [String; 2])>,
 }
 
 /// What a curve does.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Curve {
+pub struct DescribedCurve {
     /// What kind of line it is.
-    pub kind: Line,
+    pub kind: LineKind,
     /// What stands at it.
     pub label: Option<Math>,
     /// What its values do.
@@ -150,7 +150,7 @@ pub struct Curve {
 
 /// What kind of line a curve is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Line {
+pub enum LineKind {
     /// The graph of a function.
     Curve,
     /// A line that others do not pass, or tend to.

@@ -3,7 +3,7 @@
 //! One unit of the picture is a tenth of a millimetre, with one decimal; marks in a row that look alike
 //! share one element. Letters name the fonts that the pages and the PDF have, and stay text.
 
-use super::drawing::{Drawing, Lettering, Mark};
+use super::drawing::{Drawing, DrawnPath, Lettering};
 use super::label::{Above, LetterRun, Look};
 use super::path::{Path, PathStep};
 use super::{Bounds, Fill, LETTER_SIZE, Pen, Point};
@@ -137,7 +137,7 @@ impl SvgWriter<'_> {
         self.out.push_str(part);
     }
 
-    fn marks(&mut self, marks: &[Mark]) {
+    fn marks(&mut self, marks: &[DrawnPath]) {
         self.text("<g fill=\"none\" stroke=\"currentColor\" stroke-linecap=\"round\" stroke-linejoin=\"round\">\n");
         let mut rest = marks;
         while let Some(first) = rest.first() {
@@ -390,7 +390,7 @@ impl SvgWriter<'_> {
 }
 
 /// Whether two marks can share one element: grey areas cannot, they would darken each other differently.
-fn joins(a: &Mark, b: &Mark) -> bool {
+fn joins(a: &DrawnPath, b: &DrawnPath) -> bool {
     let is_even = matches!(a.fill, Fill::None | Fill::Ink);
     is_even && a.pen == b.pen && a.fill == b.fill
 }

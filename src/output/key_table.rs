@@ -45,12 +45,12 @@ pub(crate) struct QuestionKeys {
 /// The answers of all variants that have an item at the same place.
 #[derive(Clone, Debug)]
 struct ItemKeys {
-    variants: Vec<Column>,
+    variants: Vec<KeyColumn>,
 }
 
 /// The answers of a variant to a question.
 #[derive(Clone, Debug)]
-struct Column {
+struct KeyColumn {
     code: String,
     keys: QuestionKeys,
 }
@@ -95,7 +95,7 @@ impl KeyTable {
     pub fn add(&mut self, row: KeyRow) {
         self.count += 1;
         for keys in row.questions {
-            let column = Column {
+            let column = KeyColumn {
                 code: row.code.clone(),
                 keys,
             };
@@ -171,7 +171,7 @@ impl ItemKeys {
             .copied()
             .filter(|part| !self.is_same(*part))
             .collect();
-        let width = |variant: &Column| {
+        let width = |variant: &KeyColumn| {
             let cells = differing.iter().map(|part| variant.keys.widths[*part]);
             let cells = cells.filter(|width| *width <= CELL_WIDTH);
             cells.max().unwrap_or(0).max(variant.code.len() + 2) + 3
@@ -200,14 +200,14 @@ impl ItemKeys {
 
 impl<'a> KeyLine<'a> {
     /// The answers of variants to a part; with `heading` the one that all have.
-    fn of(variants: &'a [Column], part: usize, heading: Option<&'a str>) -> Self {
+    fn of(variants: &'a [KeyColumn], part: usize, heading: Option<&'a str>) -> Self {
         let first = &variants[0].keys;
-        let is_equal = |own: &Column| own.keys.cells[part] == first.cells[part];
+        let is_equal = |own: &KeyColumn| own.keys.cells[part] == first.cells[part];
         let is_same = variants.len() > 1 && variants.iter().all(is_equal);
         let is_wide = variants
             .iter()
             .any(|own| own.keys.widths[part] > CELL_WIDTH);
-        let cell = |own: &'a Column| Cell {
+        let cell = |own: &'a KeyColumn| Cell {
             code: heading.unwrap_or(&own.code),
             text: &own.keys.cells[part],
         };

@@ -11,7 +11,7 @@ use crate::worksheet::{Best, Direction, Marks};
 
 /// The marks of a run with what they are measured by.
 #[derive(Clone, Debug)]
-pub struct Marked {
+pub struct MarkedRun {
     /// What came out.
     pub summary: MarksSummary,
     /// The points that can be reached without bonus.
@@ -51,14 +51,14 @@ struct GroupView {
 struct Histogram {
     /// What it shows, in words.
     words: String,
-    bars: Vec<Bar>,
+    bars: Vec<PointsBar>,
     ticks: Vec<Tick>,
     pass: Option<Tick>,
     bands: Vec<Band>,
 }
 
 #[derive(Serialize)]
-struct Bar {
+struct PointsBar {
     x: f64,
     y: f64,
     width: f64,
@@ -96,7 +96,7 @@ const MAX_TICKS: f64 = 9.0;
 /// Width that a letter takes under the axis.
 const LETTER: f64 = 4.5;
 
-impl Marked {
+impl MarkedRun {
     pub(crate) fn view(&self, run: &Run) -> MarksView {
         let summary = &self.summary;
         let all = std::iter::once(&summary.all);
@@ -138,7 +138,7 @@ impl Marked {
         let bar = |(place, count): (usize, &usize)| {
             let (from, to) = (x(edge(place)), x(edge(place + 1)));
             let height = round(HEIGHT * *count as f64 / most);
-            Bar {
+            PointsBar {
                 x: round(from + 0.75),
                 y: round(HEIGHT - height),
                 width: round(to - from - 1.5),

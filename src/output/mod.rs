@@ -34,7 +34,7 @@ pub use form::{FormQuestion, FormSheet, form};
 pub use key_table::{KeyRow, KeyTable, key_row, key_table_page};
 pub use layouts::{Layouts, OutputError};
 pub use lists::{List, Roll, list_page, separator_page};
-pub use marks::Marked;
+pub use marks::MarkedRun;
 pub use page::practice;
 pub use pages::{Names, Page, PageKind, Pages, Run};
 pub use report::{Analysed, Decided, DecidedMark, Lost, LostSheet, report_page};

@@ -3,7 +3,7 @@
 use serde::Serialize;
 
 use super::layouts::OutputError;
-use super::marks::{Marked, MarksView};
+use super::marks::{MarkedRun, MarksView};
 use super::pages::{Pages, Run};
 use super::quoted;
 use super::words::{ReportWords, filled};
@@ -25,7 +25,7 @@ pub struct Analysed<'a> {
     /// Rows that were left out, each with its line.
     pub faults: &'a [String],
     /// The marks of the sheets, where there is more to say of them than points.
-    pub marks: Option<&'a Marked>,
+    pub marks: Option<&'a MarkedRun>,
     /// What was decided after the sheets were handed out.
     pub decided: &'a [Decided],
 }

@@ -5,7 +5,7 @@ use std::rc::Rc;
 use super::Scene;
 use super::notation::Symbols;
 use crate::expr::Expr;
-use crate::figure::{Film, Head, MovingFigure, State};
+use crate::figure::{Film, Head, MovingFigure, ModelState};
 use crate::math::Math;
 use crate::mechanics::{Motion, Numbers, Quantity, Unavailable};
 use crate::message::Phrase;
@@ -90,11 +90,11 @@ pub(crate) fn moving(scene: &Scene<'_, '_>, run: Run, id: &str) -> Option<Moving
     let pictures = (PER_PERIOD * seconds / course.shortest).clamp(PICTURES.0, PICTURES.1);
     let pictures = pictures.round() as usize;
     let step = seconds / pictures as f64;
-    let states: Option<Vec<State>> = (0..=pictures)
+    let states: Option<Vec<ModelState>> = (0..=pictures)
         .map(|place| {
             let time = place as f64 * step;
             let coordinates = course.at(time)?;
-            Some(State { coordinates, time })
+            Some(ModelState { coordinates, time })
         })
         .collect();
     let states = states?;
@@ -120,7 +120,7 @@ pub(crate) fn moving(scene: &Scene<'_, '_>, run: Run, id: &str) -> Option<Moving
         .enumerate()
         .map(|(place, (_, dimension))| {
             let largest = largest(*dimension);
-            let share = |own: &State| {
+            let share = |own: &ModelState| {
                 if largest > 0.0 {
                     own.coordinates[place] / largest
                 } else {
@@ -224,7 +224,7 @@ fn highest(all: &[f64]) -> f64 {
 }
 
 /// The turning points of sampled coordinates, by the parabola through three samples: time, coordinate, value.
-fn turns(states: &[State], step: f64) -> Vec<(f64, usize, f64)> {
+fn turns(states: &[ModelState], step: f64) -> Vec<(f64, usize, f64)> {
     let count = states.first().map_or(0, |own| own.coordinates.len());
     let mut turns = Vec::new();
     for (place, window) in states.windows(3).enumerate() {

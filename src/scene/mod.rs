@@ -30,7 +30,7 @@ use crate::bank::{Passage, Piece};
 use crate::document::{Document, Filling};
 use crate::expr::Name;
 use crate::figure::plot::Picture as PlotPicture;
-use crate::figure::{FreeError, Given, Picture, free_picture};
+use crate::figure::{FigureData, FreeError, Picture, free_picture};
 use crate::math::Math;
 use crate::message::{Language, Phrase};
 use crate::quantity::Absent;
@@ -290,7 +290,7 @@ impl<'s, 't> Scene<'s, 't> {
     }
 }
 
-impl Given for Scene<'_, '_> {
+impl FigureData for Scene<'_, '_> {
     fn number(&self, name: &Name) -> Option<f64> {
         let node = self.solution.template().graph.find(name)?;
         self.solution.evaluation().real(node).ok()

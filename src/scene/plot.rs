@@ -5,7 +5,7 @@ use crate::bank::plot::{Abscissa, Curve, Curves, ModeShapes, Phasors, Plot, Plot
 use crate::document::Filling;
 use crate::expr::Precise;
 use crate::figure::Point;
-use crate::figure::plot::{self, Axis, Course, Picture, PlotError, Shape, Spacing, Style};
+use crate::figure::plot::{self, Axis, Course, Picture, PlotError, ModeShape, Spacing, CurveStyle};
 use crate::figure::story::Speaker as _;
 use crate::math::{Math, symbol};
 use crate::message::Phrase;
@@ -107,7 +107,7 @@ fn drawn_curves(
                     Some([y.unit.of_si(at), y.rate_unit.of_si(rate)])
                 }))
             }
-            None if curve.style == Style::Band => Course::Band(Box::new(move |variable| {
+            None if curve.style == CurveStyle::Band => Course::Band(Box::new(move |variable| {
                 let edges = value(variable)?;
                 let [low, high] = *edges.as_slice() else {
                     return None;
@@ -198,7 +198,7 @@ fn ends_of(scene: &Scene<'_, '_>, nodes: [NodeId; 2], unit: &Unit) -> Result<[f6
     ])
 }
 
-fn marks(scene: &Scene<'_, '_>, curves: &Curves, is_plane: bool) -> Vec<plot::Mark> {
+fn marks(scene: &Scene<'_, '_>, curves: &Curves, is_plane: bool) -> Vec<plot::PlotMark> {
     let (x, y) = (&curves.x, &curves.y);
     let units = if is_plane {
         [y.unit, y.rate_unit]
@@ -215,7 +215,7 @@ fn marks(scene: &Scene<'_, '_>, curves: &Curves, is_plane: bool) -> Vec<plot::Ma
         };
         // What does not exist for these data is not marked.
         if let (Ok(across), Ok(up)) = (place(0), place(1)) {
-            marks.push(plot::Mark {
+            marks.push(plot::PlotMark {
                 at: [across, up],
                 label: mark.label.clone(),
             });
@@ -242,7 +242,7 @@ fn drawn_mode_shapes(scene: &Scene<'_, '_>, modes: &ModeShapes) -> Result<Pictur
         .iter()
         .fold(0.0_f64, |fastest, own| fastest.max(*own));
     let rows = shapes.numbers().chunks(count).zip(frequencies.numbers());
-    let shape = |(number, (row, frequency)): (usize, (&[f64], &f64))| Shape {
+    let shape = |(number, (row, frequency)): (usize, (&[f64], &f64))| ModeShape {
         heading: heading(
             scene,
             number + 1,
@@ -281,7 +281,7 @@ fn drawn_phasors(scene: &Scene<'_, '_>, phasors: &Phasors) -> Result<Picture, Un
         })
     });
     let angles = phasors.angles.iter().map(|own| {
-        Ok(plot::Turn {
+        Ok(plot::PhasorAngle {
             from: pointer(own.ends[0])?.angle(),
             to: pointer(own.ends[1])?.angle(),
             label: own.label.clone(),

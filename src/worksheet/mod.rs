@@ -65,7 +65,7 @@ pub use paper::Paper;
 pub use plan::{Plan, Planned};
 pub use practice::{Practice, PracticeError, PracticeQuestion, Weighed};
 #[cfg(feature = "render")]
-pub use printing::{FileNames, Order, Printing, Section, TypeSizeError, Whose, file_stem};
+pub use printing::{FileNames, PrintOrder, Printing, Section, TypeSizeError, Whose, file_stem};
 #[cfg(feature = "render")]
 pub use rules::{Feedback, Rules, Worked};
 #[cfg(feature = "render")]

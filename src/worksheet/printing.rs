@@ -7,7 +7,7 @@ use crate::source::Table;
 
 /// In which order sheets are printed.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Order {
+pub enum PrintOrder {
     /// As the class list has them.
     #[default]
     Class,
@@ -33,7 +33,7 @@ pub enum FileNames {
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Printing {
     /// In which order sheets are printed.
-    pub order: Order,
+    pub order: PrintOrder,
     /// Whether each sheet begins on a new leaf of paper that is printed on both sides.
     pub duplex: bool,
     /// Whether a page with its name stands before each group or room.
@@ -44,7 +44,7 @@ pub struct Printing {
 
 impl Printing {
     pub(crate) fn read(table: &Table<'_>, faults: &mut Faults<'_>) -> Self {
-        let orders = [Order::Class, Order::Group, Order::Seat];
+        let orders = [PrintOrder::Class, PrintOrder::Group, PrintOrder::Seat];
         let printing = Self {
             order: faults.word(table, "order", &["class", "group", "seat"], &orders),
             duplex: table.boolean("duplex").unwrap_or(true),
@@ -83,7 +83,7 @@ pub enum Whose {
     Spare,
 }
 
-impl Order {
+impl PrintOrder {
     /// The order that takes apart what a class list takes apart: rooms, else groups.
     pub fn of_list(students: &[Student]) -> Self {
         if students.iter().any(|student| !student.room.is_empty()) {
@@ -100,10 +100,10 @@ impl Order {
     /// one.
     ///
     /// ```
-    /// use vibank::worksheet::{Order, Student, Whose};
+    /// use vibank::worksheet::{PrintOrder, Student, Whose};
     /// let student = |group: &str| Student { group: group.to_owned(), ..Student::default() };
     /// let students = [student("B"), student("A"), student("B")];
-    /// let sections = Order::Group.sections(&students, 4);
+    /// let sections = PrintOrder::Group.sections(&students, 4);
     /// assert_eq!(sections[0].whose, Whose::Group("B".to_owned()));
     /// let places: Vec<_> = sections.iter().map(|section| section.places.clone()).collect();
     /// assert_eq!(places, [vec![0, 2], vec![1], vec![3]]);
@@ -258,7 +258,7 @@ mod tests {
             student("A", "A9"),
             student("Z", "A1"),
         ];
-        let sections = Order::Seat.sections(&students, 7);
+        let sections = PrintOrder::Seat.sections(&students, 7);
         let shown: Vec<_> = sections
             .iter()
             .map(|section| (section.whose.clone(), section.places.as_slice()))
@@ -278,7 +278,12 @@ mod tests {
         let students: Vec<Student> = (0..50)
             .map(|at| student(["X", "", "Y"][at * 7 % 3], &format!("{}-{}", at % 4, at)))
             .collect();
-        for order in [Order::Class, Order::Group, Order::Room, Order::Seat] {
+        for order in [
+            PrintOrder::Class,
+            PrintOrder::Group,
+            PrintOrder::Room,
+            PrintOrder::Seat,
+        ] {
             for (students, count) in [(&students[..], 53), (&students[..], 50), (&[], 4)] {
                 let sections = order.sections(students, count);
                 let mut places: Vec<usize> = sections

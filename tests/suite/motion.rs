@@ -3,7 +3,7 @@
 use crate::BANK;
 use vibank::bank::{Catalogue, Template};
 use vibank::diagnostic::Severity;
-use vibank::figure::{Head, MovingFigure, State};
+use vibank::figure::{Head, ModelState, MovingFigure};
 use vibank::instance::Instance;
 use vibank::scene::{Data, Run, Scene};
 use vibank::solution::Solution;
@@ -54,8 +54,8 @@ fn coordinates(item: &Template) -> usize {
     model.degrees_of_freedom()
 }
 
-fn state(count: usize, moved: Option<usize>) -> State {
-    State {
+fn state(count: usize, moved: Option<usize>) -> ModelState {
+    ModelState {
         coordinates: (0..count)
             .map(|place| if moved == Some(place) { 0.2 } else { 0.0 })
             .collect(),
@@ -268,7 +268,7 @@ fn links_go_with_the_bodies_that_they_touch() {
     let solution = Solution::of(Instance::of_source(item));
     let scene = Scene::of(&solution, Data::Both);
     let figure = item.figure.as_ref().expect("it has one");
-    let state = State {
+    let state = ModelState {
         coordinates: vec![0.25],
         time: 0.0,
     };

@@ -8,7 +8,7 @@ use vibank::math::{Display, Math, TYPST_PRELUDE, Voice};
 use vibank::numerics::Rational;
 use vibank::output::{self, KeyTable, List, PageKind, Pages, Roll, Run};
 use vibank::source::Source;
-use vibank::worksheet::{Blueprint, Order, Plan, Sheet, Student};
+use vibank::worksheet::{Blueprint, Plan, PrintOrder, Sheet, Student};
 use vibank_press::{Job, print};
 
 /// The PDF of a finished text.
@@ -189,7 +189,7 @@ fn a_file_for_the_printer_is_accessible_and_each_sheet_has_an_even_number_of_pag
     );
     let simplex = file(&texts, false);
     assert_eq!(pages_of(&simplex), alone.iter().sum::<usize>());
-    let section = &Order::Seat.sections(&students, codes.len())[0];
+    let section = &PrintOrder::Seat.sections(&students, codes.len())[0];
     let separator = output::separator_page(&pages, section, roll).expect("the layout is sound");
     let all: Vec<String> = std::iter::once(separator).chain(texts).collect();
     let duplex = file(&all, true);
@@ -197,7 +197,7 @@ fn a_file_for_the_printer_is_accessible_and_each_sheet_has_an_even_number_of_pag
     let even = |count: &usize| count + count % 2;
     assert_eq!(pages_of(&duplex), 2 + alone.iter().map(even).sum::<usize>());
     for list in List::ALL {
-        let sections = Order::Seat.sections(&students, codes.len());
+        let sections = PrintOrder::Seat.sections(&students, codes.len());
         let begin = pages
             .begin(pages.list_title(list))
             .expect("the layout is sound");

@@ -298,7 +298,7 @@ impl Diagnose for ItemError {
                 Some("it can be curves, mode-shapes, phase-plane, phasors".to_owned())
             }
             Self::PlotStyle { .. } => {
-                let names: Vec<_> = crate::figure::plot::Style::names().collect();
+                let names: Vec<_> = crate::figure::plot::CurveStyle::names().collect();
                 Some(format!("it can be {}", names.join(", ")))
             }
             Self::PlotPair => Some("write `[\"0\", \"5*T\"]`".to_owned()),

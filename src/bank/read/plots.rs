@@ -4,7 +4,7 @@ use super::{ItemError, ItemReader};
 use crate::bank::plot::{Abscissa, Curve, Curves, Mark, ModeShapes, Ordinate, Plot, PlotKind};
 use crate::bank::template::Units;
 use crate::expr::{Constant, Expr, Kind, Name, Path, Shape, Type};
-use crate::figure::plot::Style;
+use crate::figure::plot::CurveStyle;
 use crate::math::Math;
 use crate::quantity::NodeId;
 use crate::source::{Data, Entry, Table, Text, Value};
@@ -260,7 +260,7 @@ impl<'s> ItemReader<'s> {
         let text = y?;
         let expr = self.expr(&text)?;
         let node = self.over(&format!("{plot}: curve"), expr.clone(), &text, variable)?;
-        let is_band = style == Style::Band && !is_phase_plane;
+        let is_band = style == CurveStyle::Band && !is_phase_plane;
         let shape = self.graph.kind(node)?.shape();
         if is_band && shape != Shape::Vector(2) {
             self.find(&ItemError::PlotBand, &text);
@@ -287,14 +287,14 @@ impl<'s> ItemReader<'s> {
     }
 
     /// How a curve or phasor is drawn.
-    pub(crate) fn style(&mut self, table: &Table<'s>) -> Style {
+    pub(crate) fn style(&mut self, table: &Table<'s>) -> CurveStyle {
         let Some(text) = table.text("style") else {
-            return Style::Auto;
+            return CurveStyle::Auto;
         };
-        Style::of_name(&text.value).unwrap_or_else(|| {
+        CurveStyle::of_name(&text.value).unwrap_or_else(|| {
             let found = text.value.clone();
             self.find(&ItemError::PlotStyle { found }, &text);
-            Style::Auto
+            CurveStyle::Auto
         })
     }
 

@@ -28,7 +28,7 @@ use std::sync::{Mutex, MutexGuard, PoisonError};
 use rayon::prelude::*;
 use vibank::grade::{Place, Responses, RowError};
 use vibank::message::Language;
-use vibank::output::{Decided, Lost, Marked};
+use vibank::output::{Decided, Lost, MarkedRun};
 use vibank::worksheet::{Absence, Marks, VariantEntry};
 
 pub(crate) use self::items::Items as RunItems;
@@ -332,7 +332,7 @@ struct GradeJob<'a> {
 struct Findings<'a> {
     lost: &'a [Lost],
     faults: &'a [String],
-    marks: Option<&'a Marked>,
+    marks: Option<&'a MarkedRun>,
     decided: &'a [Decided],
 }
 

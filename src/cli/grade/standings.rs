@@ -1,7 +1,7 @@
 //! The marks of a run: by group, as a table and for the report.
 
 use vibank::numerics::Rational;
-use vibank::output::Marked;
+use vibank::output::MarkedRun;
 use vibank::report::{GroupSummary, Standing, Standings};
 use vibank::worksheet::Marks;
 
@@ -66,7 +66,7 @@ impl Class {
     }
 
     /// What there is to say of the marks; nothing where they are points alone and of one group.
-    pub(crate) fn marked(&self) -> Option<Marked> {
+    pub(crate) fn marked(&self) -> Option<MarkedRun> {
         if !self.has_groups && self.marks == Marks::default() {
             return None;
         }
@@ -76,7 +76,7 @@ impl Class {
             .map(|step| (step.grade.clone(), step.from.points(full).to_f64()))
             .collect();
         let grades: Vec<&str> = scale.iter().map(|(grade, _)| grade.as_str()).collect();
-        Some(Marked {
+        Some(MarkedRun {
             summary: self.standings.summary(&grades),
             max: self.max.to_f64(),
             pass: self.marks.pass.map(|pass| pass.points(full).to_f64()),
@@ -86,7 +86,7 @@ impl Class {
     }
 
     /// Writes the table of groups.
-    pub(crate) fn write(marked: &Marked, out: &Folder, dialect: Dialect) -> Result<(), Failure> {
+    pub(crate) fn write(marked: &MarkedRun, out: &Folder, dialect: Dialect) -> Result<(), Failure> {
         let mut table = dialect.head(&COLUMNS)?;
         let all = GroupSummary {
             group: "*".to_owned(),

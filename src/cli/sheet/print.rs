@@ -8,7 +8,7 @@ use std::collections::BTreeMap;
 use rayon::prelude::*;
 use vibank::output::{List, PageKind, Roll, list_page, separator_page};
 use vibank::seed::Variant;
-use vibank::worksheet::{Order, Plan, Printing, Section, Sheet, Student};
+use vibank::worksheet::{Plan, PrintOrder, Printing, Section, Sheet, Student};
 
 use super::format::{Format, Laid, UNPRINTED, unfilled};
 use super::make::refuse;
@@ -176,8 +176,8 @@ impl PrintJob<'_, '_> {
     fn lists(&self, laid: &Laid, roll: Roll<'_>, prints: &mut Prints) -> Result<(), Failure> {
         let count = self.variants.len();
         for list in List::ALL {
-            let order = match (list, Order::of_list(self.students)) {
-                (List::Seating, Order::Room) => Order::Seat,
+            let order = match (list, PrintOrder::of_list(self.students)) {
+                (List::Seating, PrintOrder::Room) => PrintOrder::Seat,
                 (_, order) => order,
             };
             let sections = order.sections(self.students, count);

@@ -19,7 +19,7 @@ use crate::source::{Source, Text};
 
 /// A text as it was read: what could be read of it, and what is wrong with it.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Reading {
+pub struct TextReading {
     /// The document; where something is wrong, without it.
     pub document: Document,
     /// What is wrong, in the order of the text; of very many errors the first hundred.

@@ -7,7 +7,7 @@ use pulldown_cmark::{Alignment as Column, Event, OffsetIter, Options, Parser, Ta
 
 use super::lint::Lint;
 use super::mask::Masked;
-use super::{Reading, TextError};
+use super::{TextError, TextReading};
 use crate::document::{Alignment, Block, Document, Inline};
 use crate::math::holes::{LITERAL, hole, is_private};
 use crate::math::{Math, read_all};
@@ -21,9 +21,9 @@ const DEPTH: usize = 8;
 const MAX_ERRORS: usize = 101;
 
 /// Reads a text.
-pub(crate) fn read(text: &str) -> Reading {
+pub(crate) fn read(text: &str) -> TextReading {
     if text.len() > LENGTH {
-        return Reading {
+        return TextReading {
             document: Document::default(),
             errors: vec![TextError::TooLong {
                 length: text.len(),
@@ -50,7 +50,7 @@ pub(crate) fn read(text: &str) -> Reading {
     let mut errors = reader.errors;
     errors.sort_by_key(TextError::span);
     errors.truncate(MAX_ERRORS);
-    Reading {
+    TextReading {
         document: Document::of(blocks, reader.masked.placeholders),
         errors,
     }

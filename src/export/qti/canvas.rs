@@ -12,8 +12,8 @@ use crate::course::archive;
 use crate::export::cloze::number;
 use crate::export::held::{Choosable, Held, HeldPart, Sorted};
 use crate::export::pictures::Pictures;
-use crate::export::words::Words;
-use crate::export::{Export, Tally, Unfit, Wish};
+use crate::export::words::QuestionWords;
+use crate::export::{Export, ExportTally, Unfit, Wish};
 use crate::math::Math;
 use crate::unit::Unit;
 use crate::worksheet::{Sheet, SheetQuestion};
@@ -37,13 +37,13 @@ const PREFIXES: [(&str, f64); 6] = [
 /// A package for Canvas while it is made.
 pub struct Canvas {
     wish: Wish,
-    tally: Tally,
-    groups: Vec<Group>,
+    tally: ExportTally,
+    groups: Vec<QuestionGroup>,
     pictures: Vec<(String, String)>,
 }
 
 /// The variants of a question; of each part one is drawn.
-struct Group {
+struct QuestionGroup {
     title: String,
     /// The letter of the part and the variants.
     parts: Vec<(String, Vec<String>)>,
@@ -61,7 +61,7 @@ impl Canvas {
     pub fn new(wish: Wish) -> Self {
         Self {
             wish,
-            tally: Tally::default(),
+            tally: ExportTally::default(),
             groups: Vec::new(),
             pictures: Vec::new(),
         }
@@ -83,7 +83,7 @@ impl Canvas {
     /// A question for one part.
     fn question<'c>(
         &mut self,
-        words: &Words<'_, 'c>,
+        words: &QuestionWords<'_, 'c>,
         common: &Common,
         asked: &HeldPart<'c>,
         marked: &CanvasMarking<'_>,
@@ -210,7 +210,7 @@ struct Common {
 }
 
 impl Common {
-    fn of(words: &Words<'_, '_>, pictures: &mut Pictures) -> Self {
+    fn of(words: &QuestionWords<'_, '_>, pictures: &mut Pictures) -> Self {
         Self {
             statement: words.statement(pictures),
             principle: words.principle(pictures),
@@ -227,7 +227,7 @@ enum CanvasMarking<'h> {
 
 impl Export for Canvas {
     fn category(&mut self, path: &[&str]) {
-        self.groups.push(Group {
+        self.groups.push(QuestionGroup {
             title: path.join(": "),
             parts: Vec::new(),
         });
@@ -235,7 +235,7 @@ impl Export for Canvas {
 
     fn add(&mut self, sheet: &Sheet<'_>, question: &SheetQuestion<'_>, number: usize) {
         let wish = self.wish.clone();
-        let words = Words::of(sheet, question, number, &wish, FILES);
+        let words = QuestionWords::of(sheet, question, number, &wish, FILES);
         let mut sorted = Sorted::of(&words.scene, question, &mut self.tally.unfit);
         let mut pictures = Pictures::named(format!("{}-", words.identifier()));
         let mut common = None;
@@ -272,7 +272,7 @@ impl Export for Canvas {
         self.pictures.extend(pictures.files);
     }
 
-    fn tally(&self) -> &Tally {
+    fn tally(&self) -> &ExportTally {
         &self.tally
     }
 
@@ -294,7 +294,7 @@ impl Export for Canvas {
 
 impl UnitScale {
     /// The scale at which all digits of what is right survive the rounding.
-    fn of(words: &Words<'_, '_>, place: usize, bands: &[Band]) -> Self {
+    fn of(words: &QuestionWords<'_, '_>, place: usize, bands: &[Band]) -> Self {
         let part = &words.scene.solution().template().parts[place];
         let own = part.answer.unit();
         let is_large = |thousandths: usize| {
@@ -362,7 +362,12 @@ fn material(xml: &mut Xml, html: &str) {
     xml.close();
 }
 
-fn present(xml: &mut Xml, words: &Words<'_, '_>, asked: &HeldPart<'_>, marked: &CanvasMarking<'_>) {
+fn present(
+    xml: &mut Xml,
+    words: &QuestionWords<'_, '_>,
+    asked: &HeldPart<'_>,
+    marked: &CanvasMarking<'_>,
+) {
     let response = [("ident", "response1"), ("rcardinality", "Single")];
     match marked {
         CanvasMarking::Choice(options) => {

@@ -9,7 +9,7 @@ use crate::answer::{Band, Credit};
 use crate::export::cloze::number;
 use crate::export::held::{Choosable, Held, HeldPart, Sorted};
 use crate::export::pictures::Pictures;
-use crate::export::words::Words;
+use crate::export::words::QuestionWords;
 use crate::numerics::Rational;
 
 /// A box of an item.
@@ -30,7 +30,7 @@ enum BoxMarking<'h> {
 
 /// The item with the parts that fit.
 pub(crate) fn marked<'c>(
-    words: &Words<'_, 'c>,
+    words: &QuestionWords<'_, 'c>,
     sorted: &Sorted<'c>,
     identifier: &str,
     version: Version,
@@ -85,7 +85,7 @@ pub(crate) fn marked<'c>(
 
 /// The item with parts that a person marks.
 pub(crate) fn essay<'c>(
-    words: &Words<'_, 'c>,
+    words: &QuestionWords<'_, 'c>,
     parts: &[HeldPart<'c>],
     identifier: &str,
     version: Version,
@@ -238,7 +238,12 @@ fn option(place: usize) -> String {
     format!("option.{}", place + 1)
 }
 
-fn write_boxes(xml: &mut Xml, words: &Words<'_, '_>, asked: &HeldPart<'_>, fields: &[ItemBox<'_>]) {
+fn write_boxes(
+    xml: &mut Xml,
+    words: &QuestionWords<'_, '_>,
+    asked: &HeldPart<'_>,
+    fields: &[ItemBox<'_>],
+) {
     let own = |field: &&ItemBox<'_>| field.asked.place == asked.place;
     let own: Vec<&ItemBox<'_>> = fields.iter().filter(own).collect();
     if let [field] = own[..]
@@ -279,7 +284,7 @@ fn write_boxes(xml: &mut Xml, words: &Words<'_, '_>, asked: &HeldPart<'_>, field
 
 /// The remarks on named mistakes, by identifier.
 fn remarks(
-    words: &Words<'_, '_>,
+    words: &QuestionWords<'_, '_>,
     fields: &[ItemBox<'_>],
     pictures: &mut Pictures,
 ) -> Vec<(String, String)> {

@@ -12,8 +12,8 @@ pub use canvas::Canvas;
 use self::xml::Xml;
 use super::held::Sorted;
 use super::pictures::Pictures;
-use super::words::Words;
-use super::{Export, Tally, Wish};
+use super::words::QuestionWords;
+use super::{Export, ExportTally, Wish};
 use crate::course::archive;
 use crate::worksheet::{Sheet, SheetQuestion};
 
@@ -85,7 +85,7 @@ impl Version {
 pub struct Qti {
     wish: Wish,
     version: Version,
-    tally: Tally,
+    tally: ExportTally,
     sections: Vec<Section>,
     items: Vec<Item>,
 }
@@ -109,7 +109,7 @@ impl Qti {
         Self {
             wish,
             version,
-            tally: Tally::default(),
+            tally: ExportTally::default(),
             sections: Vec::new(),
             items: Vec::new(),
         }
@@ -233,7 +233,7 @@ impl Export for Qti {
 
     fn add(&mut self, sheet: &Sheet<'_>, question: &SheetQuestion<'_>, number: usize) {
         let wish = self.wish.clone();
-        let words = Words::of(sheet, question, number, &wish, "");
+        let words = QuestionWords::of(sheet, question, number, &wish, "");
         let sorted = Sorted::of(&words.scene, question, &mut self.tally.unfit);
         let identifier = words.identifier();
         if !sorted.fit.is_empty() {
@@ -257,7 +257,7 @@ impl Export for Qti {
         }
     }
 
-    fn tally(&self) -> &Tally {
+    fn tally(&self) -> &ExportTally {
         &self.tally
     }
 

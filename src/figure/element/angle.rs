@@ -8,7 +8,7 @@
 //! ]
 //! ```
 
-use super::{Element, Key, Layer, Role, Takes, number};
+use super::{Element, ElementKey, Layer, Role, Takes, number};
 use crate::figure::part::Part;
 use crate::figure::{Drawing, Path, Point, Spot, Weight, spots};
 use std::f64::consts::PI;
@@ -41,7 +41,7 @@ impl Element for Angle {
         Takes::Three
     }
 
-    fn keys(&self) -> &'static [Key] {
+    fn keys(&self) -> &'static [ElementKey] {
         const { &[number("radius")] }
     }
 

@@ -4,8 +4,8 @@
 //! elements = [{ axes = [0.2, 0.2] }]
 //! ```
 
-use super::{Element, Key, Layer, vector};
-use crate::figure::arrow::{Head, arrow};
+use super::{Element, ElementKey, Layer, vector};
+use crate::figure::arrow::{ArrowHead, arrow};
 use crate::figure::part::Part;
 use crate::figure::{Drawing, Label, Point, Spot, Weight, spots};
 
@@ -16,7 +16,7 @@ impl Element for Axes {
         "axes"
     }
 
-    fn keys(&self) -> &'static [Key] {
+    fn keys(&self) -> &'static [ElementKey] {
         const { &[vector("direction")] }
     }
 
@@ -29,7 +29,13 @@ impl Element for Axes {
         let x = part.vector("direction").unwrap_or(Point::new(1.0, 0.0));
         for (way, name) in [(x, "x"), (x.left(), "y")] {
             let tip = origin + way;
-            arrow(drawing, origin, tip, part.pen(Weight::Thin), Head::USUAL);
+            arrow(
+                drawing,
+                origin,
+                tip,
+                part.pen(Weight::Thin),
+                ArrowHead::USUAL,
+            );
             drawing.place(Label::words(name), spots::at_tip(origin, tip, None));
         }
     }

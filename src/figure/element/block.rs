@@ -8,7 +8,7 @@
 //! ```
 
 use super::family::inside;
-use super::{Element, Key, Layer, Role, number, vector};
+use super::{Element, ElementKey, Layer, Role, number, vector};
 use crate::figure::outline::Outline;
 use crate::figure::part::Part;
 use crate::figure::{Drawing, Fill, Path, Point, Spot, Weight};
@@ -20,7 +20,7 @@ impl Element for Block {
         "block"
     }
 
-    fn keys(&self) -> &'static [Key] {
+    fn keys(&self) -> &'static [ElementKey] {
         const { &[vector("size"), number("angle")] }
     }
 

@@ -8,7 +8,7 @@
 //! ```
 
 use super::family::inside;
-use super::{Element, Key, Layer, Role, number};
+use super::{Element, ElementKey, Layer, Role, number};
 use crate::figure::outline::Outline;
 use crate::figure::part::Part;
 use crate::figure::{Drawing, Fill, Path, Point, Spot, Weight};
@@ -24,7 +24,7 @@ impl Element for Cart {
         "cart"
     }
 
-    fn keys(&self) -> &'static [Key] {
+    fn keys(&self) -> &'static [ElementKey] {
         const { &[number("width")] }
     }
 

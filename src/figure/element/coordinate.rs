@@ -11,8 +11,8 @@
 //! ]
 //! ```
 
-use super::{Element, FROM, Key, Layer, Role, Takes, vector};
-use crate::figure::arrow::{Head, arrow};
+use super::{Element, ElementKey, FROM, Layer, Role, Takes, vector};
+use crate::figure::arrow::{ArrowHead, arrow};
 use crate::figure::part::Part;
 use crate::figure::{Drawing, Path, Point, Spot, Weight, spots};
 
@@ -58,7 +58,7 @@ impl Element for Coordinate {
         Takes::Label
     }
 
-    fn keys(&self) -> &'static [Key] {
+    fn keys(&self) -> &'static [ElementKey] {
         const { &[vector("direction"), FROM] }
     }
 
@@ -73,7 +73,7 @@ impl Element for Coordinate {
     fn draw(&self, part: &Part<'_>, drawing: &mut Drawing) {
         let [reference, (from, to)] = lines(part);
         drawing.stroke(Path::line(reference.0, reference.1), part.pen(Weight::Thin));
-        arrow(drawing, from, to, part.pen(Weight::Thin), Head::USUAL);
+        arrow(drawing, from, to, part.pen(Weight::Thin), ArrowHead::USUAL);
     }
 
     fn spots(&self, part: &Part<'_>) -> Vec<Spot> {

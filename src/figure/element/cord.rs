@@ -11,7 +11,7 @@
 //! ```
 
 use super::{Element, Layer, Role, Takes};
-use crate::figure::outline::Form;
+use crate::figure::outline::OutlineForm;
 use crate::figure::part::{End, Part};
 use crate::figure::{Drawing, Path, Point, Spot, Weight, spots};
 use crate::numerics::asin;
@@ -21,17 +21,17 @@ pub(crate) struct Cord;
 
 /// A point of the way, or a circle that it goes round.
 #[derive(Clone, Copy)]
-struct Node {
+struct CordPoint {
     centre: Point,
     /// Positive counterclockwise, negative clockwise, zero for a point.
     radius: f64,
 }
 
-impl Node {
+impl CordPoint {
     fn of(end: &End) -> Self {
         let round = match (end.pass, end.body.map(|body| body.form)) {
-            (Some(is_left), Some(Form::Round { radius })) if is_left => radius,
-            (Some(_), Some(Form::Round { radius })) => -radius,
+            (Some(is_left), Some(OutlineForm::Round { radius })) if is_left => radius,
+            (Some(_), Some(OutlineForm::Round { radius })) => -radius,
             _ => 0.0,
         };
         Self {
@@ -55,7 +55,7 @@ impl Node {
 
 /// The straight pieces of a cord, and the circles between them.
 fn pieces(part: &Part<'_>) -> Vec<(Point, Point)> {
-    let nodes: Vec<Node> = part.ends.iter().map(Node::of).collect();
+    let nodes: Vec<CordPoint> = part.ends.iter().map(CordPoint::of).collect();
     let mut pieces: Vec<(Point, Point)> = nodes
         .windows(2)
         .map(|pair| pair[0].tangent(pair[1]))
@@ -97,7 +97,7 @@ impl Element for Cord {
         let pieces = pieces(part);
         let mut path = Path::line(pieces[0].0, pieces[0].1);
         for (place, pair) in pieces.windows(2).enumerate() {
-            let node = Node::of(&part.ends[place + 1]);
+            let node = CordPoint::of(&part.ends[place + 1]);
             let (arrive, leave) = (pair[0].1 - node.centre, pair[1].0 - node.centre);
             if node.radius != 0.0 {
                 let from = arrive.angle();

@@ -5,8 +5,8 @@
 //! elements = [{ bar = ["A", "B"] }, { dimension = ["A", "B"], offset = -0.7, label = "L" }]
 //! ```
 
-use super::{Element, Key, Layer, Role, Takes, number};
-use crate::figure::arrow::{Head, arrow, double};
+use super::{Element, ElementKey, Layer, Role, Takes, number};
+use crate::figure::arrow::{ArrowHead, arrow, double};
 use crate::figure::part::Part;
 use crate::figure::{Anchor, Drawing, Path, Point, Spot, Weight, spots};
 
@@ -30,7 +30,7 @@ impl Element for Dimension {
         Takes::Two
     }
 
-    fn keys(&self) -> &'static [Key] {
+    fn keys(&self) -> &'static [ElementKey] {
         const { &[number("offset")] }
     }
 
@@ -59,8 +59,8 @@ impl Element for Dimension {
             double(drawing, a, b, pen);
         } else {
             let along = (b - a).unit() * 0.4;
-            arrow(drawing, a - along, a, pen, Head::SLIM);
-            arrow(drawing, b + along, b, pen, Head::SLIM);
+            arrow(drawing, a - along, a, pen, ArrowHead::SLIM);
+            arrow(drawing, b + along, b, pen, ArrowHead::SLIM);
         }
     }
 

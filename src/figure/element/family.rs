@@ -2,8 +2,8 @@
 //!
 //! A member keeps its page and its drawing in a file of its own, and is a `static` of its family.
 
-use super::{Element, Key, Layer, Role, Takes, number};
-use crate::figure::arrow::{Head, arrow};
+use super::{Element, ElementKey, Layer, Role, Takes, number};
+use crate::figure::arrow::{ArrowHead, arrow};
 use crate::figure::outline::Outline;
 use crate::figure::part::Part;
 use crate::figure::{Drawing, Label, Path, Point, Spot, Weight, spots};
@@ -13,7 +13,7 @@ pub(crate) struct Round {
     pub(crate) name: &'static str,
     /// What descriptions call it.
     pub(crate) body: &'static str,
-    pub(crate) keys: &'static [Key],
+    pub(crate) keys: &'static [ElementKey],
     pub(crate) layer: Layer,
     /// The radius that it has if none is given.
     pub(crate) radius: f64,
@@ -48,7 +48,7 @@ impl Element for Round {
         self.name
     }
 
-    fn keys(&self) -> &'static [Key] {
+    fn keys(&self) -> &'static [ElementKey] {
         self.keys
     }
 
@@ -91,11 +91,11 @@ pub(crate) fn outside(outline: &Outline, part: &Part<'_>) -> Vec<Spot> {
 pub(crate) struct Straight {
     pub(crate) name: &'static str,
     pub(crate) takes: Takes,
-    pub(crate) keys: &'static [Key],
+    pub(crate) keys: &'static [ElementKey],
     pub(crate) role: Role,
     pub(crate) label: &'static str,
     pub(crate) weight: Weight,
-    pub(crate) head: Head,
+    pub(crate) head: ArrowHead,
     /// Its foot and its tip.
     pub(crate) ends: fn(&Part<'_>) -> (Point, Point),
     pub(crate) spots: fn(Point, Point, &Part<'_>) -> Vec<Spot>,
@@ -110,7 +110,7 @@ impl Straight {
         role: Role::Measure,
         label: "",
         weight: Weight::Thin,
-        head: Head::USUAL,
+        head: ArrowHead::USUAL,
         ends: |part| (part.ends[0].point, part.ends[1].point),
         spots: |from, to, part| spots::at_tip(from, to, part.at),
     };
@@ -125,7 +125,7 @@ impl Element for Straight {
         self.takes
     }
 
-    fn keys(&self) -> &'static [Key] {
+    fn keys(&self) -> &'static [ElementKey] {
         self.keys
     }
 

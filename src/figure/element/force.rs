@@ -12,7 +12,7 @@
 
 use super::family::Straight;
 use super::{FROM, Role, Takes, vector};
-use crate::figure::arrow::Head;
+use crate::figure::arrow::ArrowHead;
 use crate::figure::part::Part;
 use crate::figure::{Point, Weight};
 
@@ -22,7 +22,7 @@ pub(crate) static FORCE: Straight = Straight {
     keys: &[vector("direction"), FROM],
     role: Role::Thing("force"),
     weight: Weight::Bold,
-    head: Head::BOLD,
+    head: ArrowHead::BOLD,
     ends,
     ..Straight::USUAL
 };

@@ -6,7 +6,7 @@
 
 use super::family::Straight;
 use super::{Role, vector};
-use crate::figure::arrow::Head;
+use crate::figure::arrow::ArrowHead;
 use crate::figure::part::Part;
 use crate::figure::{Point, Weight, spots};
 
@@ -16,7 +16,7 @@ pub(crate) static GRAVITY: Straight = Straight {
     role: Role::Mark,
     label: "g",
     weight: Weight::Medium,
-    head: Head::BOLD,
+    head: ArrowHead::BOLD,
     ends,
     spots: |from, to, part| {
         let mut spots = spots::around(from.towards(to, 0.45), 0.06, part.at);

@@ -11,7 +11,7 @@
 //! ]
 //! ```
 
-use super::{Element, Key, Layer, Role, Takes, flag};
+use super::{Element, ElementKey, Layer, Role, Takes, flag};
 use crate::figure::part::Part;
 use crate::figure::{Drawing, Fill, Path, Point, Spot, Weight, spots};
 
@@ -38,7 +38,7 @@ impl Element for Ground {
         Takes::Two
     }
 
-    fn keys(&self) -> &'static [Key] {
+    fn keys(&self) -> &'static [ElementKey] {
         const { &[flag("rough"), flag("smooth")] }
     }
 

@@ -8,7 +8,7 @@
 //! ```
 
 use super::ground::{DEPTH, hatch};
-use super::{Element, Key, Layer, Role, number};
+use super::{Element, ElementKey, Layer, Role, number};
 use crate::figure::outline::Side;
 use crate::figure::part::Part;
 use crate::figure::{Anchor, Drawing, Fill, Path, Point, Spot, Weight, spots};
@@ -39,7 +39,7 @@ impl Element for Incline {
         "incline"
     }
 
-    fn keys(&self) -> &'static [Key] {
+    fn keys(&self) -> &'static [ElementKey] {
         const { &[number("angle"), number("length")] }
     }
 

@@ -9,7 +9,7 @@
 //! ```
 
 use super::{Element, Layer, Takes};
-use crate::figure::part::{Part, Style};
+use crate::figure::part::{LineStyle, Part};
 use crate::figure::{Drawing, Path, Spot, Weight, spots};
 
 pub(crate) struct Line;
@@ -29,7 +29,7 @@ impl Element for Line {
 
     fn draw(&self, part: &Part<'_>, drawing: &mut Drawing) {
         let (a, b) = (part.ends[0].point, part.ends[1].point);
-        let weight = if part.style == Style::Solid {
+        let weight = if part.style == LineStyle::Solid {
             Weight::Medium
         } else {
             Weight::Thin

@@ -60,7 +60,7 @@ pub trait Element: Sync {
     }
 
     /// The keys that it has for itself.
-    fn keys(&self) -> &'static [Key] {
+    fn keys(&self) -> &'static [ElementKey] {
         &[]
     }
 
@@ -141,7 +141,7 @@ impl Takes {
 
 /// A key of an element.
 #[derive(Clone, Copy, Debug)]
-pub struct Key {
+pub struct ElementKey {
     /// The key under which the figure gives it.
     pub name: &'static str,
     /// The kind of value that the key takes.
@@ -195,28 +195,28 @@ pub enum Role {
     Mark,
 }
 
-const fn number(name: &'static str) -> Key {
-    Key {
+const fn number(name: &'static str) -> ElementKey {
+    ElementKey {
         name,
         holds: Holds::Number,
     }
 }
 
-const fn flag(name: &'static str) -> Key {
-    Key {
+const fn flag(name: &'static str) -> ElementKey {
+    ElementKey {
         name,
         holds: Holds::Flag,
     }
 }
 
 /// The point of an element whose first key may hold its label.
-const FROM: Key = Key {
+const FROM: ElementKey = ElementKey {
     name: "from",
     holds: Holds::Point,
 };
 
-const fn vector(name: &'static str) -> Key {
-    Key {
+const fn vector(name: &'static str) -> ElementKey {
+    ElementKey {
         name,
         holds: Holds::Vector,
     }

@@ -4,7 +4,7 @@
 //! elements = [{ disk = [1.2, 1.2], radius = 1.1 }, { moment = [1.2, 1.2], sense = "cw", label = "'M(t)'" }]
 //! ```
 
-use super::{Element, FROM, Holds, Key, Layer, Role, Takes, number};
+use super::{Element, ElementKey, FROM, Holds, Layer, Role, Takes, number};
 use crate::figure::arrow::{Orbit, bent};
 use crate::figure::part::Part;
 use crate::figure::{Drawing, Point, Spot, Weight, spots};
@@ -32,10 +32,10 @@ impl Element for Moment {
         Takes::PointOrLabel
     }
 
-    fn keys(&self) -> &'static [Key] {
+    fn keys(&self) -> &'static [ElementKey] {
         const {
             &[
-                Key {
+                ElementKey {
                     name: "sense",
                     holds: Holds::Word(&["ccw", "cw"]),
                 },

@@ -8,7 +8,7 @@
 //! ```
 
 use super::ground::hatch;
-use super::{Element, Holds, Key, Layer};
+use super::{Element, ElementKey, Holds, Layer};
 use crate::figure::outline::Side;
 use crate::figure::part::Part;
 use crate::figure::{Drawing, Fill, Path, Point, Spot, Weight, spots};
@@ -49,9 +49,9 @@ impl Element for Pin {
         "pin"
     }
 
-    fn keys(&self) -> &'static [Key] {
+    fn keys(&self) -> &'static [ElementKey] {
         const {
-            &[Key {
+            &[ElementKey {
                 name: "support",
                 holds: Holds::Word(&Side::WORDS),
             }]

@@ -7,7 +7,7 @@
 
 use super::family::Straight;
 use super::{Takes, number};
-use crate::figure::arrow::Head;
+use crate::figure::arrow::ArrowHead;
 use crate::figure::part::Part;
 use crate::figure::{Point, Weight, spots};
 
@@ -16,7 +16,7 @@ pub(crate) static RADIUS: Straight = Straight {
     takes: Takes::PointAndDegrees,
     keys: &[number("of")],
     weight: Weight::Hair,
-    head: Head::SLIM,
+    head: ArrowHead::SLIM,
     ends,
     spots: |from, to, part| {
         let mut spots = spots::beside(from, from.towards(to, 0.9), 0.0, part.at);

@@ -11,7 +11,7 @@
 //! ]
 //! ```
 
-use super::{Element, Holds, Key, Layer, Role, Takes, number};
+use super::{Element, ElementKey, Holds, Layer, Role, Takes, number};
 use crate::figure::part::Part;
 use crate::figure::{Drawing, Fill, Path, Point, Spot, Weight, spots};
 use crate::numerics::sin_cos;
@@ -139,11 +139,11 @@ impl Element for Spring {
         Takes::Two
     }
 
-    fn keys(&self) -> &'static [Key] {
+    fn keys(&self) -> &'static [ElementKey] {
         const {
             &[
                 number("coils"),
-                Key {
+                ElementKey {
                     name: "around",
                     holds: Holds::Point,
                 },

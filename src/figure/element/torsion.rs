@@ -11,7 +11,7 @@
 //! ]
 //! ```
 
-use super::{Element, Key, Layer, Role, number};
+use super::{Element, ElementKey, Layer, Role, number};
 use crate::figure::part::Part;
 use crate::figure::{Drawing, Fill, Path, Point, Spot, Weight, spots};
 
@@ -88,7 +88,7 @@ impl Element for Torsion {
         "torsion"
     }
 
-    fn keys(&self) -> &'static [Key] {
+    fn keys(&self) -> &'static [ElementKey] {
         const {
             &[
                 number("radius"),

@@ -5,7 +5,7 @@
 //! elements = [{ tube = [2, 0], width = 2.4, level = 1.6 }]
 //! ```
 
-use super::{Element, Key, Layer, Role, number};
+use super::{Element, ElementKey, Layer, Role, number};
 use crate::figure::part::Part;
 use crate::figure::{Bounds, Drawing, Fill, Path, Point, Spot, Weight, spots};
 use std::f64::consts::PI;
@@ -36,7 +36,7 @@ impl Element for Tube {
         "tube"
     }
 
-    fn keys(&self) -> &'static [Key] {
+    fn keys(&self) -> &'static [ElementKey] {
         const { &[number("width"), number("level")] }
     }
 

@@ -14,7 +14,7 @@
 //! ]
 //! ```
 
-use super::{Element, Key, Layer, Role, number, vector};
+use super::{Element, ElementKey, Layer, Role, number, vector};
 use crate::figure::arrow::{Orbit, bent};
 use crate::figure::part::Part;
 use crate::figure::{Drawing, Spot, Weight, spots};
@@ -52,7 +52,7 @@ impl Element for Turn {
         "turn"
     }
 
-    fn keys(&self) -> &'static [Key] {
+    fn keys(&self) -> &'static [ElementKey] {
         const {
             &[
                 number("radius"),

@@ -4,14 +4,15 @@ use super::drawn::{Arrow, Drawn, Way};
 use super::error::{FreeError, FreeFault};
 use super::work::{Moved, SQUARE, agrees, fault, sense, twisted, works};
 use super::{
-    Body, BodyMotion, Contact, Force, ForceOrigin, Heading, Letter, Strand, TurnSense, WrittenArrow,
+    BodyMotion, Contact, CutBody, Force, ForceOrigin, Heading, Letter, Strand, TurnSense,
+    WrittenArrow,
 };
 use crate::figure::element::{Role, turn};
 use crate::figure::formula::FigureValues;
 use crate::figure::part::Part;
 use crate::figure::schematic::Item;
 use crate::figure::story::{self, Action, FreeBody, Thing};
-use crate::figure::{Drawing, Figure, Given, Outline, Point};
+use crate::figure::{Drawing, Figure, FigureData, Outline, Point};
 use crate::math::Math;
 
 /// Length of an arrow.
@@ -49,9 +50,9 @@ struct Cut {
 /// The drawing, and what it says of each body.
 pub(crate) fn resolved(
     figure: &Figure,
-    given: &dyn Given,
+    given: &dyn FigureData,
 ) -> Result<(Drawing, Vec<FreeBody>), FreeError> {
-    let written = figure.free.bodies.iter().flat_map(Body::written);
+    let written = figure.free.bodies.iter().flat_map(CutBody::written);
     let items: Vec<&Item> = figure
         .items
         .iter()
@@ -86,7 +87,7 @@ pub(crate) fn resolved(
     Ok((drawing, bodies))
 }
 
-impl Body {
+impl CutBody {
     fn written(&self) -> impl Iterator<Item = &WrittenArrow> {
         let origins = self.forces.iter().filter_map(|force| match &force.source {
             ForceOrigin::Written(written) => Some(written),
@@ -97,7 +98,7 @@ impl Body {
 }
 
 impl<'f> NumberedFigure<'f> {
-    fn arrows(&self, body: &'f Body) -> Result<Drawn<'f>, FreeFault> {
+    fn arrows(&self, body: &'f CutBody) -> Result<Drawn<'f>, FreeFault> {
         let moved: Vec<Moved> = body
             .motions
             .iter()
@@ -161,7 +162,7 @@ impl<'f> NumberedFigure<'f> {
     /// A force of links that were cut: an arrow along each.
     fn linked(
         &self,
-        body: &Body,
+        body: &CutBody,
         force: &'f Force,
         moved: &[Moved],
         (links, letter): (&[(usize, Strand)], &'f Letter),
@@ -222,7 +223,7 @@ impl<'f> NumberedFigure<'f> {
     /// A force or moment that the figure shows.
     fn shown(
         &self,
-        body: &Body,
+        body: &CutBody,
         force: &Force,
         moved: &[Moved],
         item: usize,
@@ -290,7 +291,7 @@ impl<'f> NumberedFigure<'f> {
     }
 
     /// Where a link is fastened to a body.
-    fn cuts(&self, body: &Body, item: usize, strand: Strand) -> Vec<Cut> {
+    fn cuts(&self, body: &CutBody, item: usize, strand: Strand) -> Vec<Cut> {
         let part = &self.parts[item];
         let mut cuts = Vec::new();
         for (a, b) in self.items[item].kind.pieces(part) {
@@ -325,7 +326,7 @@ impl<'f> NumberedFigure<'f> {
         cuts
     }
 
-    fn touches(&self, body: &Body, point: Point) -> bool {
+    fn touches(&self, body: &CutBody, point: Point) -> bool {
         body.kept.iter().any(|place| {
             let (item, part) = (self.items[*place], &self.parts[*place]);
             match (item.kind.role(), item.kind.outline(part)) {
@@ -341,7 +342,7 @@ impl<'f> NumberedFigure<'f> {
     }
 
     /// What is fastened to a body is kept with it, cut to a force, or what a written reaction stands for.
-    fn hold_links(&self, body: &Body) -> Result<(), FreeFault> {
+    fn hold_links(&self, body: &CutBody) -> Result<(), FreeFault> {
         let is_cut = |place: &usize| {
             body.forces.iter().any(|force| match &force.source {
                 ForceOrigin::Links { links, .. } => links.iter().any(|(item, _)| item == place),
@@ -419,7 +420,7 @@ impl<'f> NumberedFigure<'f> {
         }
     }
 
-    fn draw(&self, body: &Body, drawn: &Drawn<'_>, owner: &mut u32, drawing: &mut Drawing) {
+    fn draw(&self, body: &CutBody, drawn: &Drawn<'_>, owner: &mut u32, drawing: &mut Drawing) {
         let shift = body
             .shift
             .as_ref()
@@ -454,7 +455,7 @@ impl<'f> NumberedFigure<'f> {
     }
 
     /// What a body is called: after the first of its elements that is one.
-    fn named(&self, body: &Body) -> Option<Thing> {
+    fn named(&self, body: &CutBody) -> Option<Thing> {
         body.kept
             .iter()
             .find_map(|place| match self.items[*place].kind.role() {

@@ -1,6 +1,6 @@
 //! The arrows of a body that was taken out, with their letters.
 
-use crate::figure::arrow::{Head, Orbit, arrow, bent};
+use crate::figure::arrow::{ArrowHead, Orbit, arrow, bent};
 use crate::figure::element::turn;
 use crate::figure::story::{Action, Sense};
 use crate::figure::{Drawing, Label, Pen, Point, Side, Spot, Weight, spots};
@@ -77,7 +77,7 @@ impl Arrow<'_> {
         let spots = match self.way {
             Way::Straight { from, to, is_push } => {
                 let (from, to) = (from + shift, to + shift);
-                arrow(drawing, from, to, pen, Head::BOLD);
+                arrow(drawing, from, to, pen, ArrowHead::BOLD);
                 let (inner, outer) = if is_push { (to, from) } else { (from, to) };
                 // Beyond the tip of an arrow that lies, clear of its head: above it a long letter would reach the body.
                 let along = (outer - inner).unit();

@@ -18,7 +18,7 @@ pub(crate) use read::FreeReader;
 use super::formula::{Amount, FigurePair};
 use super::schematic::{ElementPlace, Item};
 use super::story::{Caption, Speaker, Story};
-use super::{Drawing, Figure, Given, Label, Picture};
+use super::{Drawing, Figure, FigureData, Label, Picture};
 use crate::expr::Name;
 use crate::math::Math;
 use crate::source::Span;
@@ -46,7 +46,7 @@ pub struct Move {
 /// The free-body diagrams of a figure.
 #[derive(Debug)]
 pub(crate) struct Free {
-    bodies: Vec<Body>,
+    bodies: Vec<CutBody>,
 }
 
 impl Free {
@@ -57,7 +57,7 @@ impl Free {
 
 /// A body that is taken out.
 #[derive(Debug)]
-struct Body {
+struct CutBody {
     name: String,
     /// Its elements, as places among the items of the figure.
     kept: Vec<usize>,
@@ -180,7 +180,7 @@ impl Contact {
 /// # Errors
 ///
 /// [`FreeError`]: an arrow and the model do not agree, or an element has no place.
-pub fn draw_free(figure: &Figure, given: &dyn Given) -> Result<Drawing, FreeError> {
+pub fn draw_free(figure: &Figure, given: &dyn FigureData) -> Result<Drawing, FreeError> {
     arrows::resolved(figure, given).map(|(drawing, _)| drawing)
 }
 
@@ -191,7 +191,7 @@ pub fn draw_free(figure: &Figure, given: &dyn Given) -> Result<Drawing, FreeErro
 /// As [`draw_free`].
 pub fn free_picture(
     figure: &Figure,
-    given: &dyn Given,
+    given: &dyn FigureData,
     id: &str,
     speaker: &dyn Speaker,
 ) -> Result<Picture, FreeError> {

@@ -3,7 +3,7 @@
 use super::error::FreeFault;
 use super::letter::Product;
 use super::{
-    Acting, Body, BodyMotion, Contact, Force, ForceOrigin, Free, FreeError, Heading, Letter,
+    Acting, BodyMotion, Contact, CutBody, Force, ForceOrigin, Free, FreeError, Heading, Letter,
     Strand, TurnSense, WrittenArrow,
 };
 use crate::diagnostic::Finding;
@@ -11,7 +11,7 @@ use crate::expr::{Expr, Name};
 use crate::figure::Label;
 use crate::figure::element::{self, Role};
 use crate::figure::formula::Amount;
-use crate::figure::part::Style;
+use crate::figure::part::LineStyle;
 use crate::figure::read::FigureReader;
 use crate::figure::schematic::{ElementPlace, Item};
 use crate::math::Math;
@@ -87,7 +87,7 @@ impl<'r, 'a, 's> FreeReader<'r, 'a, 's> {
         table: &Table<'s>,
         entry: &'s Entry,
         found: &mut Vec<Name>,
-    ) -> Option<Body> {
+    ) -> Option<CutBody> {
         let span = entry.span;
         let words = |key: &'static str| {
             let words: Vec<String> = table
@@ -127,7 +127,7 @@ impl<'r, 'a, 's> FreeReader<'r, 'a, 's> {
         if laws.is_empty() || kept.is_empty() {
             return None;
         }
-        let mut body = Body {
+        let mut body = CutBody {
             name: entry.key.clone(),
             kept,
             shift,
@@ -322,7 +322,7 @@ impl<'r, 'a, 's> FreeReader<'r, 'a, 's> {
             settings: Vec::new(),
             label: None,
             at,
-            style: Style::default(),
+            style: LineStyle::default(),
         };
         let written = WrittenArrow {
             kind,
@@ -335,7 +335,7 @@ impl<'r, 'a, 's> FreeReader<'r, 'a, 's> {
     }
 
     /// Joins each force of the model with its arrow.
-    fn forces(&mut self, laws: &[&Acting], stated: Stated, body: &mut Body) {
+    fn forces(&mut self, laws: &[&Acting], stated: Stated, body: &mut CutBody) {
         let forces = components(laws);
         let Stated {
             links,
@@ -402,7 +402,12 @@ impl<'r, 'a, 's> FreeReader<'r, 'a, 's> {
     }
 
     /// The letter of a force: its first component, per length of its arm where it is a moment.
-    fn letter(&mut self, force: &Components, arm: Option<&Expr>, body: &Body) -> Option<Product> {
+    fn letter(
+        &mut self,
+        force: &Components,
+        arm: Option<&Expr>,
+        body: &CutBody,
+    ) -> Option<Product> {
         let first = force.all.iter().position(Option::is_some)?;
         let component = force.all[first].as_ref()?.clone();
         let is_turn = matches!(body.motions[first], BodyMotion::Turn(..));
@@ -434,7 +439,7 @@ impl<'r, 'a, 's> FreeReader<'r, 'a, 's> {
         product: &Product,
         formula: Option<&Expr>,
         mut written: WrittenArrow,
-        body: &Body,
+        body: &CutBody,
         force: &str,
     ) -> Option<ForceOrigin> {
         match formula.and_then(Product::of) {

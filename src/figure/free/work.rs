@@ -1,7 +1,7 @@
 //! The work that forces of a diagram do: whether an arrow does what the model's force does.
 
 use super::error::FreeFault;
-use super::{Body, Force};
+use super::{CutBody, Force};
 use crate::figure::Point;
 use crate::figure::story;
 
@@ -39,7 +39,7 @@ impl Moved {
 
 /// 1 if the arrow of a force points along a direction, −1 if against it.
 pub(crate) fn sense(
-    body: &Body,
+    body: &CutBody,
     force: &Force,
     moved: &[Moved],
     at: Point,
@@ -62,7 +62,7 @@ pub(crate) fn sense(
 
 /// Holds an arrow to the work of its force.
 pub(crate) fn works(
-    body: &Body,
+    body: &CutBody,
     force: &Force,
     moved: &[Moved],
     at: Point,
@@ -88,7 +88,7 @@ pub(crate) fn works(
 
 /// Holds the signs of works to those of the components.
 pub(crate) fn agrees(
-    body: &Body,
+    body: &CutBody,
     force: &Force,
     works: impl Iterator<Item = f64>,
 ) -> Result<(), FreeFault> {
@@ -105,7 +105,7 @@ pub(crate) fn agrees(
 /// The moment of a link that is twisted about its own line: the axis of the twist, and its sense about it; nothing if no
 /// twist is about it.
 pub(crate) fn twisted(
-    body: &Body,
+    body: &CutBody,
     force: &Force,
     moved: &[Moved],
     out: Point,
@@ -135,7 +135,7 @@ pub(crate) fn twisted(
 }
 
 /// An arrow and its force do not do the same work.
-pub(crate) fn fault(body: &Body, force: &Force) -> FreeFault {
+pub(crate) fn fault(body: &CutBody, force: &Force) -> FreeFault {
     FreeFault::Work {
         body: body.name.clone(),
         force: force.name.to_string(),

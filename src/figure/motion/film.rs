@@ -1,14 +1,14 @@
 //! The pictures of a figure that moves: in one position, between the extremes of a mode, and one after the other.
 
 use super::pose::{Pose, Poses, Rigid};
-use super::{Displacements, Motion, State};
+use super::{Displacements, ModelState, Motion};
 use crate::figure::element::{Layer, Role};
-use crate::figure::outline::Form;
-use crate::figure::part::{Part, Style};
+use crate::figure::outline::OutlineForm;
+use crate::figure::part::{LineStyle, Part};
 use crate::figure::schematic::drawn;
 use crate::figure::{
-    Bounds, Drawing, Figure, Fill, Given, Head, Lettering, Path, Pen, Picture, Point, Undrawable,
-    Weight, svg,
+    Bounds, Drawing, Figure, FigureData, Fill, Head, Lettering, Path, Pen, Picture, Point,
+    Undrawable, Weight, svg,
 };
 
 /// A figure that moves, as an SVG element and what is drawn in it one after the other.
@@ -38,7 +38,7 @@ impl<'f> MovingFigure<'f> {
     /// # Errors
     ///
     /// [`Undrawable`].
-    pub fn of(figure: &'f Figure, given: &dyn Given) -> Result<Option<Self>, Undrawable> {
+    pub fn of(figure: &'f Figure, given: &dyn FigureData) -> Result<Option<Self>, Undrawable> {
         let Some(motion) = &figure.motion else {
             return Ok(None);
         };
@@ -60,7 +60,7 @@ impl<'f> MovingFigure<'f> {
 
     /// The drawing with the coordinates of its model at a state, one unit of a shift for each metre and one radian of a
     /// turn for each radian.
-    pub fn displaced(&mut self, state: &State) -> Drawing {
+    pub fn displaced(&mut self, state: &ModelState) -> Drawing {
         let displacements = self.motion.displacements(&mut self.values, state);
         self.hides = false;
         let motion = self.motion;
@@ -71,7 +71,7 @@ impl<'f> MovingFigure<'f> {
     /// The figure with both extremes of a shape, one in light lines and one in dots; `name` says what it is.
     pub fn extremes(&mut self, shape: &[f64], (id, name, alt): (&str, &str, &str)) -> Picture {
         let all = [1.0, -1.0, 0.0].map(|sign| {
-            let state = State {
+            let state = ModelState {
                 coordinates: shape.iter().map(|own| own * sign).collect(),
                 time: 0.0,
             };
@@ -80,7 +80,7 @@ impl<'f> MovingFigure<'f> {
         let poses = self.scaled(&all);
         let mut drawing = Drawing::new();
         // In other lines each, so that one sees which displacements belong together.
-        for (rigid, style) in poses.iter().zip([Style::Faint, Style::Dotted]) {
+        for (rigid, style) in poses.iter().zip([LineStyle::Faint, LineStyle::Dotted]) {
             self.shadow(rigid, style, &mut drawing);
         }
         let middle = self.drawing(&poses[2], |_| true);
@@ -100,7 +100,7 @@ impl<'f> MovingFigure<'f> {
     }
 
     /// The pictures at the states of a motion.
-    pub fn film(&mut self, states: &[State], head: &Head<'_>) -> Film {
+    pub fn film(&mut self, states: &[ModelState], head: &Head<'_>) -> Film {
         let all: Vec<Displacements> = states
             .iter()
             .map(|state| self.motion.displacements(&mut self.values, state))
@@ -206,7 +206,7 @@ impl<'f> MovingFigure<'f> {
     }
 
     /// What moves, in light lines.
-    fn shadow(&self, rigid: &[Rigid], style: Style, drawing: &mut Drawing) {
+    fn shadow(&self, rigid: &[Rigid], style: LineStyle, drawing: &mut Drawing) {
         let poses = self.poses(rigid);
         for place in &self.figure.order {
             let (item, part) = (&self.figure.items[*place], &self.parts[*place]);
@@ -263,7 +263,9 @@ impl<'f> MovingFigure<'f> {
                     .outline(part)
                     .filter(|_| rigid.slot == Some(*at))?;
                 match outline.form {
-                    Form::Round { radius } if outline.has_axle => Some((outline.centre, radius)),
+                    OutlineForm::Round { radius } if outline.has_axle => {
+                        Some((outline.centre, radius))
+                    }
                     _ => None,
                 }
             });

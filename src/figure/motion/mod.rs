@@ -13,7 +13,7 @@ pub use film::{Film, MovingFigure};
 pub(crate) use read::motion;
 
 use super::formula::{Amount, FigurePair, FigureValues};
-use super::{Figure, Given, Point};
+use super::{Figure, FigureData, Point};
 use crate::expr::Name;
 use pose::Rigid;
 
@@ -44,7 +44,7 @@ struct MovedPoint {
     shift: Option<[Amount; 2]>,
     /// The shift with which the figure shows it, in figure units.
     drawn: Option<FigurePair>,
-    turn: Option<Turn>,
+    turn: Option<PointTurn>,
 }
 
 /// Where a moving point is at rest.
@@ -58,7 +58,7 @@ enum Spot {
 
 /// A turn, counterclockwise.
 #[derive(Debug)]
-struct Turn {
+struct PointTurn {
     /// In radians.
     angle: Amount,
     /// The point about which it turns.
@@ -69,7 +69,7 @@ struct Turn {
 
 /// The coordinates of a model at a time, in SI units, counted from rest.
 #[derive(Clone, Debug, PartialEq)]
-pub struct State {
+pub struct ModelState {
     /// In the order of the model.
     pub coordinates: Vec<f64>,
     /// In seconds, for what is prescribed.
@@ -81,7 +81,7 @@ type Displacements = Vec<(Point, f64)>;
 
 impl Motion {
     /// The numbers of the names, with those that the motion takes.
-    fn values(&self, figure: &Figure, given: &dyn Given) -> FigureValues {
+    fn values(&self, figure: &Figure, given: &dyn FigureData) -> FigureValues {
         let mut values = figure.values(given);
         for (name, slot) in &self.taken {
             values.set(*slot, given.number(name).unwrap_or(f64::NAN));
@@ -90,7 +90,7 @@ impl Motion {
     }
 
     /// The displacements in metres and radians at a state.
-    fn displacements(&self, values: &mut FigureValues, state: &State) -> Displacements {
+    fn displacements(&self, values: &mut FigureValues, state: &ModelState) -> Displacements {
         for (slot, number) in self.coordinates.iter().zip(&state.coordinates) {
             values.set(*slot, *number);
         }

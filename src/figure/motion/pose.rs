@@ -1,10 +1,10 @@
 //! A figure in another position: what moves as a whole, what is stretched, and what stays.
 
 use crate::figure::element::{Layer, Role};
-use crate::figure::outline::{Form, Outline, turned};
+use crate::figure::outline::{Outline, OutlineForm, turned};
 use crate::figure::part::{Part, Setting};
 use crate::figure::schematic::{ElementPlace, Item};
-use crate::figure::{Mark, Path, Point};
+use crate::figure::{DrawnPath, Path, Point};
 
 /// How far from the outline of a body a link may end that is fastened to it.
 const TOUCH: f64 = 0.06;
@@ -71,11 +71,11 @@ impl Rigid {
 
     fn outline(&self, rest: Outline) -> Outline {
         let form = match rest.form {
-            Form::Box { half, angle } => Form::Box {
+            OutlineForm::Box { half, angle } => OutlineForm::Box {
                 half,
                 angle: angle + self.turn,
             },
-            round @ Form::Round { .. } => round,
+            round @ OutlineForm::Round { .. } => round,
         };
         Outline {
             centre: self.point(rest.centre),
@@ -84,7 +84,7 @@ impl Rigid {
         }
     }
 
-    pub(crate) fn mark(&self, mark: &mut Mark) {
+    pub(crate) fn mark(&self, mark: &mut DrawnPath) {
         if self.turn != 0.0 || self.shift != Point::default() {
             mark.path = self.path(&mark.path);
         }
@@ -197,7 +197,7 @@ impl<'f> Poses<'_, 'f> {
             };
             let rigid = self.of_place(place)?;
             let outline = item.kind.outline(part)?;
-            let is_round = matches!(outline.form, Form::Round { .. });
+            let is_round = matches!(outline.form, OutlineForm::Round { .. });
             outline
                 .is_near(point, TOUCH)
                 .then_some(if is_cord && is_round {

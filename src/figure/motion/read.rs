@@ -1,10 +1,10 @@
 //! From the table `[figure.motion]` to a motion.
 
-use super::{Motion, MovedPoint, Spot, Turn};
+use super::{Motion, MovedPoint, PointTurn, Spot};
 use crate::diagnostic::Finding;
 use crate::expr::{Expr, Kind, Name, fold};
 use crate::figure::FigureError;
-use crate::figure::formula::{Amount, Local};
+use crate::figure::formula::{Amount, LocalScope};
 use crate::figure::read::FigureReader;
 use crate::source::{Data, Entry, Span, Table, Text, Value};
 use crate::unit::Dimension;
@@ -134,7 +134,11 @@ fn shift<'s>(
     Some([x, y])
 }
 
-fn turn<'s>(figure: &mut FigureReader<'_, 's>, table: &Table<'s>, text: &Text) -> Option<Turn> {
+fn turn<'s>(
+    figure: &mut FigureReader<'_, 's>,
+    table: &Table<'s>,
+    text: &Text,
+) -> Option<PointTurn> {
     let angle = displacement(figure, text, Dimension::PURE);
     if let Some(Amount::Fixed(_)) = angle {
         still(figure, &text.value, text.span);
@@ -147,7 +151,7 @@ fn turn<'s>(figure: &mut FigureReader<'_, 's>, table: &Table<'s>, text: &Text) -
         let text = table.as_formula("drawn", value)?;
         figure.amount(&text)
     });
-    Some(Turn {
+    Some(PointTurn {
         angle: angle?,
         about,
         drawn,
@@ -171,7 +175,7 @@ fn displacement(
         return Some(Amount::Fixed(0.0));
     }
     let (source, findings) = (figure.table.source(), &mut figure.findings);
-    let local = Local {
+    let local = LocalScope {
         names: &figure.names,
         item: figure.item.scope(),
     };

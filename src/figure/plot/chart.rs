@@ -3,7 +3,7 @@
 use super::course::{CurveLine, area, lines, place};
 use super::frame::Frame;
 use super::lettering::{Letterer, Named};
-use super::{DASHES, Picture, Plot, PlotError, Style, axis, description};
+use super::{CurveStyle, DASHES, Picture, Plot, PlotError, axis, description};
 use crate::figure::story::Story;
 use crate::figure::{Dash, Drawing, Fill, Path, Pen, Point, Weight};
 use crate::math::Math;
@@ -50,7 +50,10 @@ pub(crate) fn draw(plot: &Plot<'_>) -> Result<Picture, PlotError> {
 }
 
 fn is_guide(plot: &Plot<'_>, line: &CurveLine) -> bool {
-    matches!(plot.curves[line.curve].style, Style::Limit | Style::Band)
+    matches!(
+        plot.curves[line.curve].style,
+        CurveStyle::Limit | CurveStyle::Band
+    )
 }
 
 /// What the axis upwards counts: what it says itself, or the name of the only curve, which then needs none.
@@ -59,7 +62,7 @@ fn axis_label(plot: &Plot<'_>) -> (Math, Option<usize>) {
         return (plot.y.label.clone(), None);
     }
     let is_named = |curve: &super::Curve<'_>| {
-        curve.label.is_some() && !matches!(curve.style, Style::Limit | Style::Band)
+        curve.label.is_some() && !matches!(curve.style, CurveStyle::Limit | CurveStyle::Band)
     };
     let mut named = plot
         .curves
@@ -84,7 +87,7 @@ fn names(plot: &Plot<'_>, moved: Option<usize>) -> Vec<Named> {
             Some(Named {
                 curve: number,
                 label: curve.label.clone()?,
-                is_at_end: matches!(curve.style, Style::Limit | Style::Band),
+                is_at_end: matches!(curve.style, CurveStyle::Limit | CurveStyle::Band),
             })
         })
         .collect()
@@ -94,13 +97,13 @@ fn names(plot: &Plot<'_>, moved: Option<usize>) -> Vec<Named> {
 fn pens(plot: &Plot<'_>) -> Vec<Pen> {
     let mut dashes = DASHES.iter().cycle();
     let medium = Pen::new(Weight::Medium);
-    let pen = |style: Style| match style {
-        Style::Auto => medium.dashed(*dashes.next().unwrap_or(&Dash::Solid)),
-        Style::Solid => medium,
-        Style::Dashed => medium.dashed(Dash::Dashed),
-        Style::Dotted => medium.dashed(Dash::Dotted),
-        Style::Limit => Pen::new(Weight::Hair).dashed(Dash::Long),
-        Style::Band => Pen::new(Weight::Hair),
+    let pen = |style: CurveStyle| match style {
+        CurveStyle::Auto => medium.dashed(*dashes.next().unwrap_or(&Dash::Solid)),
+        CurveStyle::Solid => medium,
+        CurveStyle::Dashed => medium.dashed(Dash::Dashed),
+        CurveStyle::Dotted => medium.dashed(Dash::Dotted),
+        CurveStyle::Limit => Pen::new(Weight::Hair).dashed(Dash::Long),
+        CurveStyle::Band => Pen::new(Weight::Hair),
     };
     plot.curves
         .iter()

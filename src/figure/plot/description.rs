@@ -2,7 +2,7 @@
 
 use super::course::CurveLine;
 use super::sample::cubic;
-use super::{Axis, Plot, Style};
+use super::{Axis, CurveStyle, Plot};
 use crate::figure::story::{self, Behaviour, Curves, Tendency};
 use crate::math::Math;
 use crate::unit::{Decimal, DecimalMark, Quantity, Unit};
@@ -50,12 +50,12 @@ pub(crate) fn of(plot: &Plot<'_>, lines: &[CurveLine], up: &Math) -> Curves {
     }
 }
 
-fn curve(plot: &Plot<'_>, line: &CurveLine) -> Option<story::Curve> {
+fn curve(plot: &Plot<'_>, line: &CurveLine) -> Option<story::DescribedCurve> {
     let curve = &plot.curves[line.curve];
     let kind = match curve.style {
-        Style::Limit => story::Line::Limit,
-        Style::Band => story::Line::Edge,
-        _ => story::Line::Curve,
+        CurveStyle::Limit => story::LineKind::Limit,
+        CurveStyle::Band => story::LineKind::Edge,
+        _ => story::LineKind::Curve,
     };
     let values: Vec<f64> = line
         .runs
@@ -65,7 +65,7 @@ fn curve(plot: &Plot<'_>, line: &CurveLine) -> Option<story::Curve> {
             (0..=POINTS).map(|point| cubic(&pair[0], &pair[1], point as f64 / POINTS as f64).0[1])
         })
         .collect();
-    Some(story::Curve {
+    Some(story::DescribedCurve {
         kind,
         label: curve.label.clone(),
         behaviour: behaviour(&values, &plot.y, plot.decimal)?,

@@ -24,8 +24,8 @@ use crate::figure::{Dash, Drawing, Head};
 use crate::math::Math;
 use crate::unit::{DecimalMark, Unit};
 
-pub use modes::{ModeShapes, Shape};
-pub use phasors::{Phasor, Phasors, Turn};
+pub use modes::{ModeShape, ModeShapes};
+pub use phasors::{Phasor, PhasorAngle, Phasors};
 
 /// Curves between two axes.
 pub struct Plot<'a> {
@@ -39,7 +39,7 @@ pub struct Plot<'a> {
     /// The curves, in the order in which dashes are given out.
     pub curves: Vec<Curve<'a>>,
     /// Points that are marked.
-    pub marks: Vec<Mark>,
+    pub marks: Vec<PlotMark>,
     /// The decimal sign.
     pub decimal: DecimalMark,
 }
@@ -78,7 +78,7 @@ pub struct Curve<'a> {
     /// What stands at it.
     pub label: Option<Math>,
     /// How it is drawn.
-    pub style: Style,
+    pub style: CurveStyle,
 }
 
 /// A point of the plane, or the two edges of a band, at a value of the variable.
@@ -96,7 +96,7 @@ pub enum Course<'a> {
 
 /// How a curve is drawn.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Style {
+pub enum CurveStyle {
     /// Told apart from the other curves by dashes.
     #[default]
     Auto,
@@ -114,7 +114,7 @@ pub enum Style {
 
 /// A marked point.
 #[derive(Clone, Debug)]
-pub struct Mark {
+pub struct PlotMark {
     /// Where, in the units of the axes.
     pub at: [f64; 2],
     /// What stands at it.
@@ -167,7 +167,7 @@ impl Picture {
     }
 }
 
-impl Style {
+impl CurveStyle {
     const NAMES: [(&'static str, Self); 5] = [
         ("solid", Self::Solid),
         ("dashed", Self::Dashed),
@@ -194,7 +194,7 @@ impl Plot<'_> {
     /// # Examples
     ///
     /// ```
-    /// use vibank::figure::plot::{Axis, Course, Curve, Plot, Spacing, Style};
+    /// use vibank::figure::plot::{Axis, Course, Curve, Plot, Spacing, CurveStyle};
     /// use vibank::message::Language;
     /// use vibank::math::symbol;
     /// use vibank::unit::{DecimalMark, Unit};
@@ -209,7 +209,7 @@ impl Plot<'_> {
     /// let decay = Curve {
     ///     course: Course::Graph(Box::new(|t| Some(20.0 * (-t / 3.0_f64).exp()))),
     ///     label: Some(symbol("x")),
-    ///     style: Style::Auto,
+    ///     style: CurveStyle::Auto,
     /// };
     /// let plot = Plot {
     ///     x: axis("t", "s"),

@@ -11,12 +11,12 @@ pub struct ModeShapes {
     /// The symbols of the coordinates.
     pub coordinates: Vec<Math>,
     /// The shapes, lowest frequency first.
-    pub shapes: Vec<Shape>,
+    pub shapes: Vec<ModeShape>,
 }
 
 /// A mode shape.
 #[derive(Clone, Debug)]
-pub struct Shape {
+pub struct ModeShape {
     /// What stands above it, such as its frequency.
     pub heading: Math,
     /// The components, of any common scale.
@@ -60,7 +60,7 @@ impl ModeShapes {
         }
     }
 
-    fn shape(&self, drawing: &mut Drawing, shape: &Shape, origin: Point, width: f64) {
+    fn shape(&self, drawing: &mut Drawing, shape: &ModeShape, origin: Point, width: f64) {
         let heights = shape.heights.iter();
         let largest = heights.fold(0.0_f64, |largest, height| largest.max(height.abs()));
         let scale = if largest > 0.0 { HEIGHT / largest } else { 0.0 };

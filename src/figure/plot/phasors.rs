@@ -3,8 +3,8 @@
 use std::f64::consts::PI;
 
 use super::description::number;
-use super::{Picture, PlotError, Style};
-use crate::figure::arrow::{Head, Orbit, arrow, bent};
+use super::{CurveStyle, Picture, PlotError};
+use crate::figure::arrow::{ArrowHead, Orbit, arrow, bent};
 use crate::figure::story::{Pointer, Story};
 use crate::figure::{Anchor, Bounds, Dash, Drawing, Label, Pen, Point, Spot, Weight, spots};
 use crate::math::Math;
@@ -16,7 +16,7 @@ pub struct Phasors {
     /// The pointers, in the order in which they are joined.
     pub phasors: Vec<Phasor>,
     /// Angles about the origin.
-    pub angles: Vec<Turn>,
+    pub angles: Vec<PhasorAngle>,
     /// The unit of the pointers.
     pub unit: Unit,
     /// The decimal sign of the description.
@@ -33,12 +33,12 @@ pub struct Phasor {
     /// Whether it begins at the tip of the one before.
     pub is_joined: bool,
     /// How it is drawn.
-    pub style: Style,
+    pub style: CurveStyle,
 }
 
 /// An angle at the origin, from one direction to another the shorter way, in radians.
 #[derive(Clone, Debug)]
-pub struct Turn {
+pub struct PhasorAngle {
     /// Where it begins.
     pub from: f64,
     /// Where it ends.
@@ -90,7 +90,7 @@ impl Phasors {
             }
             drawing.belongs_to(number as u32 + 1);
             let (foot, tip) = (*foot * scale, *tip * scale);
-            arrow(&mut drawing, foot, tip, pen(own.style), Head::USUAL);
+            arrow(&mut drawing, foot, tip, pen(own.style), ArrowHead::USUAL);
             if let Some(label) = &own.label {
                 // A short pointer among long ones has no room beside it.
                 let near = spots::beside(foot, tip, 0.04, None).into_iter();
@@ -142,7 +142,7 @@ impl Phasors {
     }
 }
 
-impl Turn {
+impl PhasorAngle {
     /// How far it turns, from −π to π.
     fn turn(&self) -> f64 {
         let turn = self.to - self.from;
@@ -187,19 +187,19 @@ fn axes(drawing: &mut Drawing, span: Bounds, scale: f64) {
         (real, "Re", Anchor::LEFT),
         (imaginary, "Im", Anchor::BOTTOM),
     ] {
-        arrow(drawing, from, to, pen, Head::USUAL);
+        arrow(drawing, from, to, pen, ArrowHead::USUAL);
         let beyond = (to - from).unit() * 0.12;
         drawing.text(Label::upright(name), to + beyond, anchor);
     }
 }
 
-fn pen(style: Style) -> Pen {
+fn pen(style: CurveStyle) -> Pen {
     let pen = Pen::new(Weight::Medium);
     match style {
-        Style::Dashed => pen.dashed(Dash::Dashed),
-        Style::Dotted => pen.dashed(Dash::Dotted),
-        Style::Limit => Pen::new(Weight::Hair).dashed(Dash::Long),
-        Style::Auto | Style::Solid | Style::Band => pen,
+        CurveStyle::Dashed => pen.dashed(Dash::Dashed),
+        CurveStyle::Dotted => pen.dashed(Dash::Dotted),
+        CurveStyle::Limit => Pen::new(Weight::Hair).dashed(Dash::Long),
+        CurveStyle::Auto | CurveStyle::Solid | CurveStyle::Band => pen,
     }
 }
 
@@ -219,7 +219,7 @@ mod tests {
             value: Point::new(x, y),
             label: Some(symbol("F")),
             is_joined,
-            style: Style::Auto,
+            style: CurveStyle::Auto,
         }
     }
 
@@ -269,7 +269,7 @@ mod tests {
 
     #[test]
     fn an_angle_turns_the_shorter_way() {
-        let turn = Turn {
+        let turn = PhasorAngle {
             from: 3.0,
             to: -3.0,
             label: None,

@@ -7,7 +7,7 @@ use crate::unit::Unit;
 
 /// What an answer line says, in parentheses: `(formula in m, k)`, `(value, 3 figures)`.
 pub(crate) fn blank(blank: &Blank) -> Document {
-    let mut line = Line(vec![Inline::Text("(".to_owned())]);
+    let mut line = Sentence(vec![Inline::Text("(".to_owned())]);
     match &blank.form {
         Asked::Value if blank.figures.is_none() => line.say("exact value"),
         Asked::Value => line.say("value"),
@@ -96,9 +96,9 @@ pub(crate) fn blank(blank: &Blank) -> Document {
     Document::of(vec![Block::Paragraph(line.0)], Vec::new())
 }
 
-struct Line(Vec<Inline>);
+struct Sentence(Vec<Inline>);
 
-impl Line {
+impl Sentence {
     fn say(&mut self, words: &str) {
         if let Some(Inline::Text(last)) = self.0.last_mut() {
             last.push_str(words);

@@ -2,8 +2,8 @@
 
 use super::listed;
 use crate::figure::story::{
-    Action, Behaviour, Caption, Curve, Curves, FreeBody, Joint, Line, Mode, Pointer, Sense, Sketch,
-    Story, Tendency, Thing,
+    Action, Behaviour, Caption, Curves, DescribedCurve, FreeBody, Joint, LineKind, Mode, Pointer,
+    Sense, Sketch, Story, Tendency, Thing,
 };
 use crate::math::{Math, Voice};
 use crate::source::capital;
@@ -165,7 +165,7 @@ fn curves(curves: &Curves) -> Caption {
     Caption { title, description }
 }
 
-fn curve(curve: &Curve) -> String {
+fn curve(curve: &DescribedCurve) -> String {
     let label = curve.label.as_ref().map(Math::plain).unwrap_or_default();
     let label = if label.is_empty() {
         label
@@ -173,10 +173,10 @@ fn curve(curve: &Curve) -> String {
         format!(" {label}")
     };
     let line = match (curve.kind, label.is_empty()) {
-        (Line::Curve, _) => format!("Curve{label}"),
-        (Line::Limit, _) => format!("Limit{label}"),
-        (Line::Edge, true) => "Edge of a band".to_owned(),
-        (Line::Edge, false) => format!("Edge of{label}"),
+        (LineKind::Curve, _) => format!("Curve{label}"),
+        (LineKind::Limit, _) => format!("Limit{label}"),
+        (LineKind::Edge, true) => "Edge of a band".to_owned(),
+        (LineKind::Edge, false) => format!("Edge of{label}"),
     };
     let verb = |rises| if rises { "rises" } else { "falls" };
     match &curve.behaviour {

@@ -5,8 +5,8 @@
 use super::listed;
 use super::typography::spaced;
 use crate::figure::story::{
-    Action, Behaviour, Caption, Curve, Curves, FreeBody, Joint, Line, Mode, Pointer, Sense, Sketch,
-    Story, Tendency, Thing,
+    Action, Behaviour, Caption, Curves, DescribedCurve, FreeBody, Joint, LineKind, Mode, Pointer,
+    Sense, Sketch, Story, Tendency, Thing,
 };
 use crate::math::Math;
 use crate::source::capital;
@@ -251,13 +251,13 @@ fn curves(curves: &Curves) -> Caption {
     Caption { title, description }
 }
 
-fn curve(curve: &Curve) -> String {
+fn curve(curve: &DescribedCurve) -> String {
     let label = plain(curve.label.as_ref());
     let line = match (curve.kind, label.is_empty()) {
-        (Line::Curve, _) => format!("La courbe{label}"),
-        (Line::Limit, _) => format!("La limite{label}"),
-        (Line::Edge, true) => "Le bord d’une bande".to_owned(),
-        (Line::Edge, false) => format!("Le bord de{label}"),
+        (LineKind::Curve, _) => format!("La courbe{label}"),
+        (LineKind::Limit, _) => format!("La limite{label}"),
+        (LineKind::Edge, true) => "Le bord d’une bande".to_owned(),
+        (LineKind::Edge, false) => format!("Le bord de{label}"),
     };
     let verb = |rises| if rises { "croît" } else { "décroît" };
     match &curve.behaviour {
@@ -452,8 +452,8 @@ mod tests {
             across: Math::letter('t'),
             range: Some(["0".to_owned(), "2 s".to_owned()]),
             is_logarithmic: false,
-            curves: vec![Curve {
-                kind: Line::Curve,
+            curves: vec![DescribedCurve {
+                kind: LineKind::Curve,
                 label: None,
                 behaviour: Behaviour::Oscillation {
                     between: ["−3 mm".to_owned(), "4 mm".to_owned()],

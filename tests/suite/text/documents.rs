@@ -1,11 +1,11 @@
 //! Texts as items have them, and what can be wrong with them.
 
 use vibank::diagnostic::Diagnose;
-use vibank::document::{Document, Filling, Form, Reading};
+use vibank::document::{Document, Filling, Form, TextReading};
 use vibank::math::{Math, Voice, symbol};
 
 fn read(text: &str) -> Document {
-    let Reading { document, errors } = Document::read(text);
+    let TextReading { document, errors } = Document::read(text);
     assert_eq!(errors, [], "{text}");
     document
 }

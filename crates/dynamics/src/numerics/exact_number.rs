@@ -235,8 +235,11 @@ fn rounded_sign(terms: &[&[ExactNumber]]) -> Option<Ordering> {
 }
 
 fn exact_sign(terms: &[&[ExactNumber]]) -> Ordering {
-    let products: Vec<Product> = terms.iter().map(|factors| Product::of(factors)).collect();
-    let lowest = |power: fn(&Product) -> i32| products.iter().map(power).min().unwrap_or(0);
+    let products: Vec<ExactProduct> = terms
+        .iter()
+        .map(|factors| ExactProduct::of(factors))
+        .collect();
+    let lowest = |power: fn(&ExactProduct) -> i32| products.iter().map(power).min().unwrap_or(0);
     let (two, five) = (
         lowest(|product| product.two),
         lowest(|product| product.five),
@@ -266,7 +269,7 @@ fn exact_sign(terms: &[&[ExactNumber]]) -> Ordering {
 }
 
 /// A product of given numbers, with its factors 2 and 5 apart.
-struct Product {
+struct ExactProduct {
     is_negative: bool,
     numerator: Natural,
     denominator: Natural,
@@ -274,7 +277,7 @@ struct Product {
     five: i32,
 }
 
-impl Product {
+impl ExactProduct {
     fn of(factors: &[ExactNumber]) -> Self {
         let mut product = Self {
             is_negative: false,

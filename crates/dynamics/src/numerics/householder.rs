@@ -98,24 +98,24 @@ impl Reduction {
     }
 
     /// The reflections by blocks, the last ones first.
-    fn blocks(&self) -> Vec<Block> {
+    fn blocks(&self) -> Vec<ReflectorBlock> {
         let count = self.size.saturating_sub(1);
         let starts = (0..count).step_by(BLOCK).rev();
         starts
-            .map(|start| Block::of(self, start..count.min(start + BLOCK)))
+            .map(|start| ReflectorBlock::of(self, start..count.min(start + BLOCK)))
             .collect()
     }
 }
 
 /// Reflections that are applied at once, `H_start ⋯ H_(end-1) = I - V S Vᵀ`.
-struct Block {
+struct ReflectorBlock {
     /// The rows of V, from the first that is not zero.
     rows: Vec<[f64; BLOCK]>,
     /// The upper triangle S.
     triangle: [[f64; BLOCK]; BLOCK],
 }
 
-impl Block {
+impl ReflectorBlock {
     fn of(reduction: &Reduction, range: Range<usize>) -> Self {
         let rows: Vec<[f64; BLOCK]> = (range.start + 1..reduction.size)
             .map(|row| {
@@ -150,7 +150,7 @@ impl Block {
     }
 
     /// `S` times `Vᵀ X`.
-    fn shares(&self, sums: &Panel) -> Panel {
+    fn shares(&self, sums: &BlockSums) -> BlockSums {
         let mut shares = [[0.0; LANES]; BLOCK];
         for (share, factors) in shares.iter_mut().zip(&self.triangle) {
             for (factor, sums) in factors.iter().zip(sums) {
@@ -164,15 +164,15 @@ impl Block {
 }
 
 /// What each reflection of a block has of each vector.
-type Panel = [[f64; LANES]; BLOCK];
+type BlockSums = [[f64; LANES]; BLOCK];
 
 /// Subtracts the shares of one block from vectors, and multiplies them by the rows of the next, in one pass.
 fn turn(
     before: &[[f64; BLOCK]],
-    shares: &Panel,
+    shares: &BlockSums,
     rows: &[[f64; BLOCK]],
     vectors: &mut [[f64; LANES]],
-) -> Panel {
+) -> BlockSums {
     let mut sums = [[0.0; LANES]; BLOCK];
     let mut add = |v: &[f64; BLOCK], x: &[f64; LANES]| {
         for b in 0..BLOCK {
@@ -194,7 +194,7 @@ fn turn(
     sums
 }
 
-fn subtract_shares(v: &[f64; BLOCK], [a, b, c, d]: &Panel, x: &mut [f64; LANES]) {
+fn subtract_shares(v: &[f64; BLOCK], [a, b, c, d]: &BlockSums, x: &mut [f64; LANES]) {
     for lane in 0..LANES {
         x[lane] -= (v[0] * a[lane] + v[1] * b[lane]) + (v[2] * c[lane] + v[3] * d[lane]);
     }

@@ -180,7 +180,7 @@ impl Checked {
                 errors: vec![error],
             };
         }
-        let mut checker = Checker {
+        let mut checker = LatexChecker {
             source,
             at: 0,
             out: String::with_capacity(source.len() + 16),
@@ -196,7 +196,7 @@ impl Checked {
     }
 }
 
-struct Checker<'a> {
+struct LatexChecker<'a> {
     source: &'a str,
     at: usize,
     out: String,
@@ -205,7 +205,7 @@ struct Checker<'a> {
     errors: Vec<LatexError>,
 }
 
-impl<'a> Checker<'a> {
+impl<'a> LatexChecker<'a> {
     fn run(&mut self) {
         while let Some(char) = self.source[self.at..].chars().next() {
             let start = self.at;

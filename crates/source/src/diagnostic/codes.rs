@@ -8,7 +8,7 @@ pub struct Code(&'static str);
 
 /// A code with its page.
 #[derive(Clone, Copy, Debug)]
-pub struct Page {
+pub struct CodePage {
     /// The code that findings bear.
     pub code: Code,
     /// What it is about, in one line.
@@ -25,7 +25,7 @@ macro_rules! codes {
         }
 
         /// All codes with their pages, in the order of the book.
-        pub const PAGES: &[Page] = &[$(Page { code: Code::$constant, title: $title, text: $text }),*];
+        pub const PAGES: &[CodePage] = &[$(CodePage { code: Code::$constant, title: $title, text: $text }),*];
     };
 }
 
@@ -177,7 +177,7 @@ impl Code {
     }
 
     /// What `vibank explain` and the book say about it.
-    pub fn page(self) -> &'static Page {
+    pub fn page(self) -> &'static CodePage {
         PAGES
             .iter()
             .find(|page| page.code == self)

@@ -16,7 +16,7 @@ use super::constants::TWO_OVER_PI;
 const WORDS: usize = 5;
 
 /// A fraction of a turn in two's complement, the leading word first; turns wrap around.
-type Turn = [u64; WORDS];
+type TurnFraction = [u64; WORDS];
 
 /// Quarter turns nearest to the angle, modulo four, and the angle that is left, in [-π/4, π/4].
 pub(crate) fn quarter_turns(angle: Dd) -> (u8, Dd) {
@@ -36,7 +36,7 @@ pub(crate) fn quarter_turns(angle: Dd) -> (u8, Dd) {
 }
 
 /// x/(2π) modulo 1.
-fn turn_of(x: f64) -> Turn {
+fn turn_of(x: f64) -> TurnFraction {
     let bits = x.to_bits();
     let exponent = ((bits >> 52) & 0x7ff) as i32;
     let fraction = bits & ((1 << 52) - 1);
@@ -50,7 +50,7 @@ fn turn_of(x: f64) -> Turn {
 }
 
 /// The fractional bits of 2^shift * 2/π.
-fn window(shift: i32) -> Turn {
+fn window(shift: i32) -> TurnFraction {
     let word = |i: i32| {
         usize::try_from(i)
             .ok()
@@ -66,7 +66,7 @@ fn window(shift: i32) -> Turn {
     })
 }
 
-fn product(turn: Turn, factor: u64) -> Turn {
+fn product(turn: TurnFraction, factor: u64) -> TurnFraction {
     let mut result = [0; WORDS];
     let mut carry = 0u128;
     for (out, word) in result.iter_mut().zip(turn).rev() {
@@ -77,7 +77,7 @@ fn product(turn: Turn, factor: u64) -> Turn {
     result
 }
 
-fn sum(a: Turn, b: Turn) -> Turn {
+fn sum(a: TurnFraction, b: TurnFraction) -> TurnFraction {
     let mut result = [0; WORDS];
     let mut carry = false;
     for i in (0..WORDS).rev() {
@@ -89,14 +89,14 @@ fn sum(a: Turn, b: Turn) -> Turn {
     result
 }
 
-fn negated(turn: Turn) -> Turn {
+fn negated(turn: TurnFraction) -> TurnFraction {
     let mut one = [0; WORDS];
     one[WORDS - 1] = 1;
     sum(turn.map(|word| !word), one)
 }
 
 /// The fraction nearest to zero that the turn stands for.
-fn signed(turn: Turn) -> Dd {
+fn signed(turn: TurnFraction) -> Dd {
     if turn[0] >> 63 == 1 {
         -unsigned(negated(turn))
     } else {
@@ -105,7 +105,7 @@ fn signed(turn: Turn) -> Dd {
 }
 
 /// Three words from the first that is not zero hold 128 bits at least.
-fn unsigned(turn: Turn) -> Dd {
+fn unsigned(turn: TurnFraction) -> Dd {
     let first = turn.iter().position(|&word| word != 0).unwrap_or(WORDS);
     turn.iter()
         .enumerate()

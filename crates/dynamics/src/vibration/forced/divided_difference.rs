@@ -18,12 +18,12 @@ use crate::vibration::oscillator::{Regime, Scaled};
 
 /// A node with both parts in double-double.
 #[derive(Clone, Copy, Debug)]
-struct Node {
+struct ComplexNode {
     re: Dd,
     im: Dd,
 }
 
-impl Node {
+impl ComplexNode {
     fn minus(self, other: Self) -> Complex {
         Complex::new((self.re - other.re).hi(), (self.im - other.im).hi())
     }
@@ -64,7 +64,7 @@ const TERMS: usize = 20;
 /// The three nodes: the farthest pair first and last, the other one in between.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Nodes {
-    points: [Node; 3],
+    points: [ComplexNode; 3],
     /// Distances of first and second, second and third, first and third node.
     distances: [Complex; 3],
     /// Their reciprocals and lengths.
@@ -88,16 +88,16 @@ impl Nodes {
         let (first, second) = match scaled.regime(discriminant) {
             Regime::Undamped | Regime::Underdamped => {
                 let (re, im) = (-scaled.decay_rate(), root / (2.0 * scaled.mass));
-                (Node { re, im }, Node { re, im: -im })
+                (ComplexNode { re, im }, ComplexNode { re, im: -im })
             }
             Regime::Critical | Regime::Overdamped => {
                 let (slow, fast) = scaled.real_roots(root);
                 (
-                    Node {
+                    ComplexNode {
                         re: slow,
                         im: Dd::ZERO,
                     },
-                    Node {
+                    ComplexNode {
                         re: fast,
                         im: Dd::ZERO,
                     },
@@ -107,7 +107,7 @@ impl Nodes {
         Self::ordered([
             first,
             second,
-            Node {
+            ComplexNode {
                 re: Dd::ZERO,
                 im: Dd::from(frequency),
             },
@@ -126,20 +126,20 @@ impl Nodes {
         };
         let (first, second) = if discriminant.is_negative() {
             let (re, im) = (damping * -0.5, root * 0.5);
-            (Node { re, im }, Node { re, im: -im })
+            (ComplexNode { re, im }, ComplexNode { re, im: -im })
         } else {
             let sum = root + damping;
-            let real = |re| Node { re, im: Dd::ZERO };
+            let real = |re| ComplexNode { re, im: Dd::ZERO };
             (real(stiffness * -2.0 / sum), real(sum * -0.5))
         };
-        let force = Node {
+        let force = ComplexNode {
             re: Dd::ZERO,
             im: Dd::from(frequency),
         };
         Self::ordered([first, second, force])
     }
 
-    fn ordered(nodes: [Node; 3]) -> Self {
+    fn ordered(nodes: [ComplexNode; 3]) -> Self {
         let distance = |i: usize, j: usize| nodes[i].minus(nodes[j]).abs();
         let middle = (0..3).max_by(|&i, &j| {
             let opposite = |k: usize| distance((k + 1) % 3, (k + 2) % 3);
@@ -254,7 +254,7 @@ impl Nodes {
         }
         let real = self.points.iter().fold(Dd::ZERO, |sum, node| sum + node.re) / 3.0;
         let imaginary = self.points.iter().fold(Dd::ZERO, |sum, node| sum + node.im) / 3.0;
-        Node {
+        ComplexNode {
             re: real,
             im: imaginary,
         }
@@ -268,8 +268,8 @@ impl Nodes {
 mod tests {
     use super::*;
 
-    fn node(re: f64, im: f64) -> Node {
-        Node {
+    fn node(re: f64, im: f64) -> ComplexNode {
+        ComplexNode {
             re: Dd::from(re),
             im: Dd::from(im),
         }

@@ -5,10 +5,10 @@
 //! [`PeriodicResponse`] adds up the steady states of a Fourier series.
 
 mod divided_difference;
+mod driven;
 mod frequency_response;
 mod periodic;
 mod response;
-mod subject;
 mod undamped;
 
 pub use frequency_response::FrequencyResponse;

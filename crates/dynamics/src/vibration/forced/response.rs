@@ -1,7 +1,7 @@
 //! The whole motion under a harmonic force, from an initial state.
 
 use super::divided_difference::Nodes;
-use super::subject::Subject;
+use super::driven::DrivenSystem;
 use super::undamped::Beat;
 use crate::numerics::{Complex, Dd, binary_exponent, hypot};
 use crate::vibration::free::FreeResponse;
@@ -159,7 +159,7 @@ enum ResponseKind {
 impl ForcedResponse {
     /// The motion under a force, from an initial state in m and m/s.
     pub fn of(oscillator: &Oscillator, force: HarmonicForce, initial: State) -> Self {
-        let subject = Subject {
+        let subject = DrivenSystem {
             oscillator,
             mode: None,
         };
@@ -174,14 +174,14 @@ impl ForcedResponse {
         initial: State,
     ) -> Option<Self> {
         let oscillator = Oscillator::new(1.0, damping.hi(), stiffness.hi()).ok()?;
-        let subject = Subject {
+        let subject = DrivenSystem {
             oscillator: &oscillator,
             mode: Some((damping, stiffness)),
         };
         Some(Self::of_subject(subject, force, initial))
     }
 
-    fn of_subject(subject: Subject<'_>, force: HarmonicForce, initial: State) -> Self {
+    fn of_subject(subject: DrivenSystem<'_>, force: HarmonicForce, initial: State) -> Self {
         let force = force.with_positive_frequency();
         let is_driven = force.cosine != 0.0 || force.sine != 0.0;
         Self {
@@ -218,7 +218,7 @@ impl ForcedResponse {
 }
 
 impl Driven {
-    fn of(subject: Subject<'_>, force: HarmonicForce) -> Self {
+    fn of(subject: DrivenSystem<'_>, force: HarmonicForce) -> Self {
         let scaled = Scaled::driven(subject.oscillator, force.angular_frequency);
         let frequency = scaled.scaled_rate(force.angular_frequency);
         let is_beat = subject.oscillator.damping() == 0.0 && force.sine == 0.0;
@@ -255,7 +255,7 @@ impl Driven {
 impl Separated {
     /// Both motions, and the time after which no exponential of the free one is close to that of the force,
     /// 1/min |r - iΩ|. A beat is taken apart only where the force is much faster than the free motion.
-    fn of(subject: Subject<'_>, force: HarmonicForce, is_beat: bool) -> Option<Self> {
+    fn of(subject: DrivenSystem<'_>, force: HarmonicForce, is_beat: bool) -> Option<Self> {
         const FAST: f64 = 1e6;
         let oscillator = subject.oscillator;
         let frequency = force.angular_frequency;
@@ -283,7 +283,7 @@ impl Separated {
 }
 
 impl Steady {
-    fn of(subject: Subject<'_>, force: HarmonicForce) -> Self {
+    fn of(subject: DrivenSystem<'_>, force: HarmonicForce) -> Self {
         let response = subject.steady(force.angular_frequency);
         let (cosine, sine) = response.direction();
         let (from_cosine, from_sine) = (

@@ -43,7 +43,7 @@ use crate::numerics::{Dd, binary_exponent, scale_by_power_of_two};
 pub struct FreeResponse {
     initial: State,
     motion: ScaledMotion,
-    units: Units,
+    units: MotionUnits,
 }
 
 /// The scaled motion, by regime.
@@ -56,7 +56,7 @@ enum ScaledMotion {
 
 /// Exact changes of scale between the caller's numbers and the scaled motion.
 #[derive(Clone, Copy, Debug)]
-struct Units {
+struct MotionUnits {
     time: PowerOfTwo,
     position: PowerOfTwo,
     velocity: PowerOfTwo,
@@ -75,7 +75,7 @@ impl FreeResponse {
     #[inline]
     pub fn of(oscillator: &Oscillator, initial: State) -> Self {
         let scaled = oscillator.scaled();
-        let (units, state) = Units::of(initial, scaled.rate_exponent);
+        let (units, state) = MotionUnits::of(initial, scaled.rate_exponent);
         let discriminant = scaled.discriminant();
         let root = scaled.root_of(discriminant);
         let motion = match scaled.regime(discriminant) {
@@ -95,7 +95,7 @@ impl FreeResponse {
     /// The motion `q'' + c q' + k q = 0` for coefficients of any sign: also rigid motion, and motion that grows.
     pub(crate) fn of_mode(damping: Dd, stiffness: Dd, initial: State) -> Self {
         let rate_exponent = mode::rate_exponent(damping, stiffness);
-        let (units, state) = Units::of(initial, rate_exponent);
+        let (units, state) = MotionUnits::of(initial, rate_exponent);
         let motion = mode::motion(
             damping.scale(-rate_exponent),
             stiffness.scale(-2 * rate_exponent),
@@ -229,7 +229,7 @@ impl FreeResponse {
     }
 }
 
-impl Units {
+impl MotionUnits {
     /// The units for rates near 2^rate_exponent in 1/s, and the initial state in them.
     #[inline]
     fn of(initial: State, rate_exponent: i32) -> (Self, State) {

@@ -15,7 +15,7 @@ use crate::numerics::{Dd, two_sum};
 /// Modes worked out side by side.
 const LANES: usize = 8;
 
-type Lanes = [f64; LANES];
+type ModeLanes = [f64; LANES];
 
 /// Terms that are summed plainly before their sum is added without error: three roundings at most are left of it.
 const PLAIN: usize = 16;
@@ -69,8 +69,8 @@ struct ModeMotion<'a> {
     masses: &'a [f64],
     roots: Vec<f64>,
     /// The displacements of all nodes, the ground first.
-    displacements: Vec<Lanes>,
-    forces: Vec<Lanes>,
+    displacements: Vec<ModeLanes>,
+    forces: Vec<ModeLanes>,
 }
 
 impl<'a> ModeMotion<'a> {
@@ -147,7 +147,7 @@ impl<'a> ModeMotion<'a> {
     }
 
     /// `Σ (f - ρ m φ)²/m`.
-    fn squared_residuals(&self, quotients: Lanes) -> Lanes {
+    fn squared_residuals(&self, quotients: ModeLanes) -> ModeLanes {
         let mut sums = [0.0; LANES];
         let nodes = self.displacements[1..].iter().zip(&self.forces[1..]);
         for ((node, forces), mass) in nodes.zip(self.masses) {
@@ -163,12 +163,12 @@ impl<'a> ModeMotion<'a> {
 /// Sums with the errors of their additions.
 #[derive(Default)]
 struct Sum {
-    high: Lanes,
-    low: Lanes,
+    high: ModeLanes,
+    low: ModeLanes,
 }
 
 impl Sum {
-    fn add(&mut self, terms: Lanes) {
+    fn add(&mut self, terms: ModeLanes) {
         for lane in 0..LANES {
             let (sum, error) = two_sum(self.high[lane], terms[lane]);
             self.high[lane] = sum;

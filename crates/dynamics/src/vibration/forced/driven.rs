@@ -10,14 +10,14 @@ use crate::vibration::state::State;
 
 /// An oscillator whose numbers are binary64, or a mode of unit mass whose damping and stiffness have thirty digits.
 #[derive(Clone, Copy)]
-pub(crate) struct Subject<'a> {
+pub(crate) struct DrivenSystem<'a> {
     /// The oscillator, or the mode with rounded numbers.
     pub(crate) oscillator: &'a Oscillator,
     /// Damping and stiffness of a mode.
     pub(crate) mode: Option<(Dd, Dd)>,
 }
 
-impl Subject<'_> {
+impl DrivenSystem<'_> {
     pub(crate) fn free(&self, initial: State) -> FreeResponse {
         match self.mode {
             None => FreeResponse::of(self.oscillator, initial),
