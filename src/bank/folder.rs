@@ -2,11 +2,12 @@
 
 use std::collections::BTreeMap;
 
-use crate::document::{Document, read_bare};
+use crate::document::Document;
 
 #[cfg(feature = "render")]
 use crate::{
     diagnostic::{Code, Diagnose, Finding, Label},
+    document::read_bare,
     source::{Problems, Source, Span, Table, Text, toml},
 };
 
