@@ -1,6 +1,6 @@
 //! A drawing under way: its lines and areas, its labels, and what labels have to keep clear of.
 
-use super::{Bounds, Fill, Head, Label, Path, Pen, Point, placing, svg};
+use super::{Bounds, FigureLabel, Fill, Head, Path, Pen, Point, placing, svg};
 
 /// What is left free around the marks of a drawing.
 const MARGIN: f64 = 0.08;
@@ -16,12 +16,12 @@ const WIDEST: f64 = 1.25;
 /// # Examples
 ///
 /// ```
-/// use vibank::figure::{Anchor, Drawing, Head, Label, Path, Pen, Point, Weight};
+/// use vibank::figure::{Anchor, Drawing, Head, FigureLabel, Path, Pen, Point, Weight};
 ///
 /// let mut drawing = Drawing::new();
 /// let (a, b) = (Point::new(0.0, 0.0), Point::new(3.0, 0.0));
 /// drawing.stroke(Path::line(a, b), Pen::new(Weight::Bold));
-/// drawing.text(Label::words("F(t)"), b, Anchor::LEFT);
+/// drawing.text(FigureLabel::words("F(t)"), b, Anchor::LEFT);
 /// let svg = drawing.svg(&Head { id: "q1", title: "A line", description: "" });
 /// assert!(svg.starts_with("<svg ") && svg.contains(">F<"));
 /// ```
@@ -54,7 +54,7 @@ pub struct DrawnPath {
 #[derive(Clone, Debug)]
 pub struct Lettering {
     /// What is written.
-    pub label: Label,
+    pub label: FigureLabel,
     /// The point of the drawing to which it is tied.
     pub at: Point,
     /// The point of the label that lies there.
@@ -93,7 +93,7 @@ pub(crate) struct Area {
 /// A label that goes to the first free one of some places.
 #[derive(Clone, Debug)]
 pub(crate) struct Wish {
-    pub(crate) label: Label,
+    pub(crate) label: FigureLabel,
     pub(crate) owner: u32,
     pub(crate) spots: Vec<Spot>,
 }
@@ -139,7 +139,7 @@ impl Anchor {
     }
 
     /// The box of a label that is tied to a point.
-    pub fn bounds(self, label: &Label, at: Point) -> Bounds {
+    pub fn bounds(self, label: &FigureLabel, at: Point) -> Bounds {
         let (width, height) = (label.width(), label.ascent() + label.depth());
         let centre = at - Point::new(self.x * width / 2.0, self.y * height / 2.0);
         Bounds::around(centre, width, height)
@@ -202,12 +202,12 @@ impl Drawing {
     }
 
     /// Writes a label at a fixed place; its box is returned.
-    pub fn text(&mut self, label: Label, at: Point, anchor: Anchor) -> Bounds {
+    pub fn text(&mut self, label: FigureLabel, at: Point, anchor: Anchor) -> Bounds {
         self.letter(label, self.owner, Spot { at, anchor })
     }
 
     /// Writes a label at the first of some places that is free when the drawing is complete.
-    pub fn place(&mut self, label: Label, spots: Vec<Spot>) {
+    pub fn place(&mut self, label: FigureLabel, spots: Vec<Spot>) {
         self.wishes.push(Wish {
             label,
             owner: self.owner,
@@ -215,7 +215,7 @@ impl Drawing {
         });
     }
 
-    pub(crate) fn letter(&mut self, label: Label, owner: u32, spot: Spot) -> Bounds {
+    pub(crate) fn letter(&mut self, label: FigureLabel, owner: u32, spot: Spot) -> Bounds {
         let bounds = spot.anchor.bounds(&label, spot.at);
         self.labels.push(Lettering {
             label,

@@ -18,7 +18,7 @@ const MAX_DEPTH: u32 = 40;
 
 /// A formula or words, set as one line.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Label {
+pub struct FigureLabel {
     pub(crate) runs: Vec<LetterRun>,
     pub(crate) marks: Vec<Above>,
     width: f64,
@@ -86,14 +86,14 @@ impl Above {
     }
 }
 
-impl Label {
+impl FigureLabel {
     /// A formula, set.
     ///
     /// ```
-    /// use vibank::figure::Label;
+    /// use vibank::figure::FigureLabel;
     /// use vibank::math::symbol;
     ///
-    /// let (short, long) = (Label::of(&symbol("k")), Label::of(&symbol("k_eq")));
+    /// let (short, long) = (FigureLabel::of(&symbol("k")), FigureLabel::of(&symbol("k_eq")));
     /// assert!(short.width() < long.width() && long.depth() > 0.0);
     /// ```
     pub fn of(math: &Math) -> Self {
@@ -173,7 +173,7 @@ impl Label {
 
 /// Sets a formula from left to right.
 struct Setter {
-    label: Label,
+    label: FigureLabel,
     /// Where the next letter begins.
     x: f64,
     size: f64,
@@ -185,7 +185,7 @@ struct Setter {
 impl Setter {
     fn new() -> Self {
         Self {
-            label: Label::default(),
+            label: FigureLabel::default(),
             x: 0.0,
             size: LETTER_SIZE,
             rise: 0.0,
@@ -193,7 +193,7 @@ impl Setter {
         }
     }
 
-    fn finish(mut self) -> Label {
+    fn finish(mut self) -> FigureLabel {
         self.label.width = self.label.width.max(self.x);
         self.label
     }
@@ -377,7 +377,7 @@ mod tests {
 
     #[test]
     fn scripts_are_smaller_and_lower() {
-        let label = Label::of(&symbol("omega_n"));
+        let label = FigureLabel::of(&symbol("omega_n"));
         assert_eq!(label.plain(), "ωn");
         assert!(label.runs[1].look.size < label.runs[0].look.size);
         assert!(label.runs[1].look.rise < 0.0);
@@ -385,17 +385,17 @@ mod tests {
 
     #[test]
     fn symbols_in_words_are_italic() {
-        let label = Label::words("F(t)");
+        let label = FigureLabel::words("F(t)");
         let italics: Vec<bool> = label.runs.iter().map(|run| run.look.is_italic).collect();
         assert_eq!(italics, [true, false, true, false]);
-        assert!(!Label::words("sin θ").runs[0].look.is_italic);
-        assert!(Label::words("mg").runs[0].look.is_italic);
+        assert!(!FigureLabel::words("sin θ").runs[0].look.is_italic);
+        assert!(FigureLabel::words("mg").runs[0].look.is_italic);
     }
 
     #[test]
     fn a_superscript_stands_above_a_subscript() {
-        let both = Label::of(&symbol("x1").with_sup(Math::number("2")));
-        let one = Label::of(&symbol("x1"));
+        let both = FigureLabel::of(&symbol("x1").with_sup(Math::number("2")));
+        let one = FigureLabel::of(&symbol("x1"));
         assert!((both.width() - one.width()).abs() < 0.02);
         assert!(both.ascent() > one.ascent());
     }
@@ -403,8 +403,8 @@ mod tests {
     #[test]
     fn dots_raise_the_box() {
         let theta = symbol("theta");
-        let plain = Label::of(&theta).ascent();
-        let moving = Label::of(&theta.derivative(1));
+        let plain = FigureLabel::of(&theta).ascent();
+        let moving = FigureLabel::of(&theta.derivative(1));
         assert_eq!(moving.marks.len(), 1);
         assert!(moving.ascent() > plain);
     }
@@ -413,7 +413,7 @@ mod tests {
     fn a_hat_is_one_line_and_no_dots() {
         let base = Box::new(symbol("X"));
         let accent = Accent::Hat;
-        let label = Label::of(&Math::Accent { base, accent });
+        let label = FigureLabel::of(&Math::Accent { base, accent });
         let marks: Vec<_> = label
             .marks
             .iter()

@@ -30,7 +30,7 @@ pub use drawing::{Anchor, Drawing, DrawnPath, Lettering, Spot};
 pub use error::FigureError;
 pub use free::{Acting, FreeError, FreeFault, Move, draw_free, free_picture};
 pub use geometry::{Bounds, Point};
-pub use label::{LETTER_SIZE, Label};
+pub use label::{FigureLabel, LETTER_SIZE};
 pub use motion::{Film, ModelState, MovingFigure};
 pub use outline::{Outline, OutlineForm, Side};
 pub use part::{End, LineStyle, Part, Setting};

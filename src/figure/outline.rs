@@ -1,6 +1,6 @@
 //! The outlines of bodies: where links end, and how much room there is for a label.
 
-use super::{Bounds, Label, Point};
+use super::{Bounds, FigureLabel, Point};
 
 /// The outline of a body that is placed at a point.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -195,7 +195,7 @@ impl Outline {
     }
 
     /// Whether a label fits inside when its middle lies at a point.
-    pub fn holds(&self, label: &Label, middle: Point) -> bool {
+    pub fn holds(&self, label: &FigureLabel, middle: Point) -> bool {
         // 0.6 mm in print of paper between letters and the outline.
         const MARGIN: f64 = 0.06;
         let bounds =
@@ -251,7 +251,7 @@ mod tests {
 
     #[test]
     fn a_label_fits_or_does_not() {
-        let label = Label::words("m");
+        let label = FigureLabel::words("m");
         let middle = Point::default();
         assert!(Outline::round(middle, 0.5, false).holds(&label, middle));
         assert!(!Outline::round(middle, 0.15, false).holds(&label, middle));

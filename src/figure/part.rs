@@ -1,7 +1,7 @@
 //! An element with numbers: where it stands for the data of one drawing, and how it is to look.
 
 use super::outline::{Outline, Side};
-use super::{Dash, Fill, Label, Path, Pen, Point, Weight};
+use super::{Dash, FigureLabel, Fill, Path, Pen, Point, Weight};
 use crate::math::Math;
 
 /// Shortest spring or damper beside a disk.
@@ -15,7 +15,7 @@ pub struct Part<'f> {
     /// Its own keys that are there, with their values.
     pub settings: Vec<(&'static str, Setting)>,
     /// What is written at it.
-    pub label: Option<Label>,
+    pub label: Option<FigureLabel>,
     /// Where the label is wanted.
     pub at: Option<Side>,
     /// How its lines are drawn.

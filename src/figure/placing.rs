@@ -155,7 +155,7 @@ fn touches(a: Bounds, b: Bounds) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::figure::{Anchor, Label, Path, Pen, Point, Weight};
+    use crate::figure::{Anchor, FigureLabel, Path, Pen, Point, Weight};
 
     #[test]
     fn a_label_goes_to_the_free_side() {
@@ -164,8 +164,8 @@ mod tests {
         drawing.stroke(Path::line(a, b), Pen::new(Weight::Thin));
         let origin = Point::default();
         let spots = [Anchor::BOTTOM, Anchor::TOP].map(|anchor| Spot::new(origin, anchor));
-        drawing.place(Label::words("k"), spots.to_vec());
-        drawing.place(Label::words("k"), spots.to_vec());
+        drawing.place(FigureLabel::words("k"), spots.to_vec());
+        drawing.place(FigureLabel::words("k"), spots.to_vec());
         drawing.settle();
         assert_eq!(drawing.labels()[0].anchor, Anchor::TOP);
         // The second one finds both taken: lying on a line is better than lying on a label.
@@ -181,8 +181,8 @@ mod tests {
             Spot::new(above, Anchor::BOTTOM),
             Spot::new(below, Anchor::TOP),
         ];
-        drawing.place(Label::words("k"), spots.to_vec());
-        drawing.place(Label::words("c"), spots[..1].to_vec());
+        drawing.place(FigureLabel::words("k"), spots.to_vec());
+        drawing.place(FigureLabel::words("c"), spots[..1].to_vec());
         drawing.settle();
         let places: Vec<(String, Anchor)> = drawing
             .labels()

@@ -1,6 +1,6 @@
 //! From the table `[figure]` to a figure, with all findings at once.
 
-use super::Label;
+use super::FigureLabel;
 use super::element::{self, Element, Holds, Role, Takes};
 use super::error::FigureError;
 use super::formula::{self, Amount, FigureNames, FigurePair};
@@ -172,7 +172,7 @@ impl<'a, 's> FigureReader<'a, 's> {
         let usual = kind.usual_label();
         let label = label.or_else(|| {
             (!usual.is_empty()).then(|| DeclaredLabel {
-                label: Label::words(usual),
+                label: FigureLabel::words(usual),
                 math: Math::text(usual),
                 name: None,
             })
@@ -372,7 +372,7 @@ impl<'a, 's> FigureReader<'a, 's> {
             .and_then(|rest| rest.strip_suffix('\''));
         if let Some(words) = words {
             return Some(DeclaredLabel {
-                label: Label::words(words),
+                label: FigureLabel::words(words),
                 math: Math::text(words),
                 name: None,
             });
@@ -396,7 +396,7 @@ impl<'a, 's> FigureReader<'a, 's> {
             _ => None,
         };
         Some(DeclaredLabel {
-            label: Label::of(&math),
+            label: FigureLabel::of(&math),
             math,
             name,
         })

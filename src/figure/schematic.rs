@@ -8,7 +8,7 @@ use super::outline::{Outline, Side};
 use super::part::{End, LineStyle, Part, Setting};
 use super::read::{FigureReader, Subject};
 use super::story::{self, Caption, Speaker, Story};
-use super::{Drawing, Head, Label, Point, Spot};
+use super::{Drawing, FigureLabel, Head, Point, Spot};
 use crate::diagnostic::Finding;
 use crate::expr::Name;
 use crate::math::Math;
@@ -94,7 +94,7 @@ pub(crate) enum KeyValue {
 /// A label as it is declared.
 #[derive(Debug)]
 pub(crate) struct DeclaredLabel {
-    pub(crate) label: Label,
+    pub(crate) label: FigureLabel,
     pub(crate) math: Math,
     /// The name of the item that it is, if it is one.
     pub(crate) name: Option<Name>,
@@ -266,7 +266,7 @@ impl Figure {
         }
     }
 
-    fn label(&self, written: &DeclaredLabel, given: &dyn FigureData) -> Label {
+    fn label(&self, written: &DeclaredLabel, given: &dyn FigureData) -> FigureLabel {
         let value = match (self.labels, &written.name) {
             (Labels::Symbol, _) | (_, None) => None,
             (_, Some(name)) => given.value(name),
@@ -274,10 +274,10 @@ impl Figure {
         let symbol = written.label.clone();
         match value {
             None => symbol,
-            Some(value) if self.labels == Labels::Value => Label::of(&value),
+            Some(value) if self.labels == Labels::Value => FigureLabel::of(&value),
             Some(value) => symbol
-                .followed_by(Label::upright("="))
-                .followed_by(Label::of(&value)),
+                .followed_by(FigureLabel::upright("="))
+                .followed_by(FigureLabel::of(&value)),
         }
     }
 }

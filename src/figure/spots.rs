@@ -1,7 +1,7 @@
 //! The places that labels try, best first.
 
 use super::outline::{Outline, Side};
-use super::{Anchor, Bounds, Label, Point, Spot};
+use super::{Anchor, Bounds, FigureLabel, Point, Spot};
 
 /// Room between a label and what it belongs to.
 const GAP: f64 = 0.08;
@@ -121,7 +121,7 @@ pub(crate) fn outside(bounds: Bounds, at: Option<Side>) -> Vec<Spot> {
 }
 
 /// Inside a body if the label fits, in the middle or at the wanted side; else outside.
-pub(crate) fn inside(outline: &Outline, label: &Label, at: Option<Side>) -> Vec<Spot> {
+pub(crate) fn inside(outline: &Outline, label: &FigureLabel, at: Option<Side>) -> Vec<Spot> {
     let bounds = outline.bounds();
     let half = Point::new(bounds.width() / 2.0, bounds.height() / 2.0);
     let mut spots = Vec::new();

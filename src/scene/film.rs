@@ -5,7 +5,7 @@ use std::rc::Rc;
 use super::Scene;
 use super::notation::Symbols;
 use crate::expr::Expr;
-use crate::figure::{Film, Head, MovingFigure, ModelState};
+use crate::figure::{Film, Head, ModelState, MovingFigure};
 use crate::math::Math;
 use crate::mechanics::{Motion, Numbers, Quantity, Unavailable};
 use crate::message::Phrase;

@@ -22,7 +22,7 @@ pub(crate) fn picture(scene: &Scene<'_, '_>, number: usize) -> Option<Picture> {
     };
     let alt = scene.language.phrase(&shown);
     let id = format!("{}-mode-{number}", scene.scope());
-    let mut figure = MovingFigure::of(figure, scene).ok()??;
+    let figure = MovingFigure::of(figure, scene).ok()??;
     Some(figure.extremes(&shape, (&id, &name, &alt)))
 }
 

@@ -5,7 +5,7 @@ use crate::bank::plot::{Abscissa, Curve, Curves, ModeShapes, Phasors, Plot, Plot
 use crate::document::Filling;
 use crate::expr::Precise;
 use crate::figure::Point;
-use crate::figure::plot::{self, Axis, Course, Picture, PlotError, ModeShape, Spacing, CurveStyle};
+use crate::figure::plot::{self, Axis, Course, CurveStyle, ModeShape, Picture, PlotError, Spacing};
 use crate::figure::story::Speaker as _;
 use crate::math::{Math, symbol};
 use crate::message::Phrase;

@@ -7,7 +7,7 @@
 use super::{Element, ElementKey, Layer, vector};
 use crate::figure::arrow::{ArrowHead, arrow};
 use crate::figure::part::Part;
-use crate::figure::{Drawing, Label, Point, Spot, Weight, spots};
+use crate::figure::{Drawing, FigureLabel, Point, Spot, Weight, spots};
 
 pub(crate) struct Axes;
 
@@ -36,7 +36,7 @@ impl Element for Axes {
                 part.pen(Weight::Thin),
                 ArrowHead::USUAL,
             );
-            drawing.place(Label::words(name), spots::at_tip(origin, tip, None));
+            drawing.place(FigureLabel::words(name), spots::at_tip(origin, tip, None));
         }
     }
 

@@ -6,7 +6,7 @@ use super::{Element, ElementKey, Layer, Role, Takes, number};
 use crate::figure::arrow::{ArrowHead, arrow};
 use crate::figure::outline::Outline;
 use crate::figure::part::Part;
-use crate::figure::{Drawing, Label, Path, Point, Spot, Weight, spots};
+use crate::figure::{Drawing, FigureLabel, Path, Point, Spot, Weight, spots};
 
 /// A body with a circle about its point as its outline.
 pub(crate) struct Round {
@@ -78,7 +78,7 @@ impl Element for Round {
 pub(crate) fn inside(outline: &Outline, part: &Part<'_>) -> Vec<Spot> {
     match &part.label {
         Some(label) => spots::inside(outline, label, part.at),
-        None => spots::inside(outline, &Label::default(), part.at),
+        None => spots::inside(outline, &FigureLabel::default(), part.at),
     }
 }
 

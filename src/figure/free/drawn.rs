@@ -3,7 +3,7 @@
 use crate::figure::arrow::{ArrowHead, Orbit, arrow, bent};
 use crate::figure::element::turn;
 use crate::figure::story::{Action, Sense};
-use crate::figure::{Drawing, Label, Pen, Point, Side, Spot, Weight, spots};
+use crate::figure::{Drawing, FigureLabel, Pen, Point, Side, Spot, Weight, spots};
 
 /// The radius of the arrow of a moment.
 const RADIUS: f64 = 0.5;
@@ -26,7 +26,7 @@ pub(crate) struct Drawn<'f> {
 /// An arrow of a force or moment.
 pub(crate) struct Arrow<'f> {
     pub(crate) way: Way,
-    pub(crate) label: &'f Label,
+    pub(crate) label: &'f FigureLabel,
     /// Where its letter is wanted.
     pub(crate) at: Option<Side>,
 }
@@ -55,7 +55,7 @@ impl<'f> Drawn<'f> {
         start: Point,
         out: Point,
         (axis, sense): (Point, &Sense),
-        label: &'f Label,
+        label: &'f FigureLabel,
     ) {
         let centre = start + out * ALONG;
         let is_clockwise = matches!(sense, Sense::AgainstTwist);

@@ -18,7 +18,7 @@ pub(crate) use read::FreeReader;
 use super::formula::{Amount, FigurePair};
 use super::schematic::{ElementPlace, Item};
 use super::story::{Caption, Speaker, Story};
-use super::{Drawing, Figure, FigureData, Label, Picture};
+use super::{Drawing, Figure, FigureData, FigureLabel, Picture};
 use crate::expr::Name;
 use crate::math::Math;
 use crate::source::Span;
@@ -132,8 +132,8 @@ enum Strand {
 /// A letter, set and as a formula, for one arrow and for each of two.
 #[derive(Debug)]
 struct Letter {
-    one: (Label, Math),
-    each: (Label, Math),
+    one: (FigureLabel, Math),
+    each: (FigureLabel, Math),
 }
 
 /// An arrow that is written.
@@ -142,7 +142,7 @@ struct WrittenArrow {
     kind: Contact,
     /// It stands in the figure as if it were an element, so that it knows the side of the body.
     item: Item,
-    label: (Label, Math),
+    label: (FigureLabel, Math),
     direction: Option<FigurePair>,
     /// The share of it along the first motion, where its letter is not that of the model.
     share: Option<Amount>,

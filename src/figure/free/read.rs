@@ -8,7 +8,7 @@ use super::{
 };
 use crate::diagnostic::Finding;
 use crate::expr::{Expr, Name};
-use crate::figure::Label;
+use crate::figure::FigureLabel;
 use crate::figure::element::{self, Role};
 use crate::figure::formula::Amount;
 use crate::figure::part::LineStyle;
@@ -312,7 +312,7 @@ impl<'r, 'a, 's> FreeReader<'r, 'a, 's> {
             Contact::Weight => "W",
         };
         let label = written.map_or_else(
-            || (Label::words(usual), Math::text(usual)),
+            || (FigureLabel::words(usual), Math::text(usual)),
             |written| (written.label, written.math),
         );
         let item = Item {
@@ -512,9 +512,9 @@ impl<'r, 'a, 's> FreeReader<'r, 'a, 's> {
         ForceOrigin::Links { links, letter }
     }
 
-    fn set(&self, product: &Product) -> (Label, Math) {
+    fn set(&self, product: &Product) -> (FigureLabel, Math) {
         let math = self.figure.item.typeset(&product.letter());
-        (Label::of(&math), math)
+        (FigureLabel::of(&math), math)
     }
 
     /// Elements do not share an identity.

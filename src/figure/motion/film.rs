@@ -20,7 +20,7 @@ pub struct Film {
     pub frames: Vec<String>,
 }
 
-/// A figure that moves, at rest, with its labels at their places.
+/// A figure that moves, at rest, with its labels at their places: ready for a drawing, a picture or a film.
 pub struct MovingFigure<'f> {
     figure: &'f Figure,
     motion: &'f Motion,
@@ -60,7 +60,7 @@ impl<'f> MovingFigure<'f> {
 
     /// The drawing with the coordinates of its model at a state, one unit of a shift for each metre and one radian of a
     /// turn for each radian.
-    pub fn displaced(&mut self, state: &ModelState) -> Drawing {
+    pub fn displaced(mut self, state: &ModelState) -> Drawing {
         let displacements = self.motion.displacements(&mut self.values, state);
         self.hides = false;
         let motion = self.motion;
@@ -69,7 +69,7 @@ impl<'f> MovingFigure<'f> {
     }
 
     /// The figure with both extremes of a shape, one in light lines and one in dots; `name` says what it is.
-    pub fn extremes(&mut self, shape: &[f64], (id, name, alt): (&str, &str, &str)) -> Picture {
+    pub fn extremes(mut self, shape: &[f64], (id, name, alt): (&str, &str, &str)) -> Picture {
         let all = [1.0, -1.0, 0.0].map(|sign| {
             let state = ModelState {
                 coordinates: shape.iter().map(|own| own * sign).collect(),
@@ -100,7 +100,7 @@ impl<'f> MovingFigure<'f> {
     }
 
     /// The pictures at the states of a motion.
-    pub fn film(&mut self, states: &[ModelState], head: &Head<'_>) -> Film {
+    pub fn film(mut self, states: &[ModelState], head: &Head<'_>) -> Film {
         let all: Vec<Displacements> = states
             .iter()
             .map(|state| self.motion.displacements(&mut self.values, state))

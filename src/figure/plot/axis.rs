@@ -3,7 +3,7 @@
 use super::frame::{Frame, HEIGHT, WIDTH};
 use super::ticks::{Tick, Ticks, power_of_ten};
 use super::{Axis, Plot, PlotError, Spacing};
-use crate::figure::{Anchor, Bounds, Drawing, Fill, Label, Path, Pen, Point, Weight};
+use crate::figure::{Anchor, Bounds, Drawing, FigureLabel, Fill, Path, Pen, Point, Weight};
 use crate::math::Math;
 use crate::numerics::log10;
 use crate::unit::DecimalMark;
@@ -67,7 +67,7 @@ impl Axis {
         range: [f64; 2],
         most: usize,
         mark: DecimalMark,
-        extent: impl Fn(&Label) -> f64,
+        extent: impl Fn(&FigureLabel) -> f64,
         length: f64,
     ) -> Ticks {
         let mut ticks = Ticks::default();
@@ -75,7 +75,7 @@ impl Axis {
             ticks = self.ticks(range, count, mark);
             let labels = ticks.ticks.iter().filter_map(|tick| tick.label.as_ref());
             let widest = labels
-                .map(|label| extent(&Label::of(label)))
+                .map(|label| extent(&FigureLabel::of(label)))
                 .fold(0.0, f64::max);
             let places: Vec<f64> = ticks
                 .ticks
@@ -136,7 +136,7 @@ pub(crate) fn draw(
     for end in ends {
         arrow_head(drawing, end, end.unit());
     }
-    let width = |label: &Label| label.width();
+    let width = |label: &FigureLabel| label.width();
     let across = plot
         .x
         .clear_ticks(frame.x, MAX_TICK_COUNTS[0], plot.decimal, width, WIDTH);
@@ -144,7 +144,7 @@ pub(crate) fn draw(
         let at = Point::new(frame.place([tick.at, frame.y[0]]).x, 0.0);
         draw_tick(drawing, tick, at, Point::new(0.0, -1.0));
     }
-    let height = |label: &Label| label.ascent() + label.depth();
+    let height = |label: &FigureLabel| label.ascent() + label.depth();
     let upward = plot
         .y
         .clear_ticks(frame.y, MAX_TICK_COUNTS[1], plot.decimal, height, HEIGHT);
@@ -152,8 +152,8 @@ pub(crate) fn draw(
         let at = Point::new(0.0, frame.place([frame.x[0], tick.at]).y);
         draw_tick(drawing, tick, at, Point::new(-1.0, 0.0));
     }
-    let right = Label::of(&plot.x.title(&plot.x.label, across.power));
-    let top = Label::of(&plot.y.title(up, upward.power));
+    let right = FigureLabel::of(&plot.x.title(&plot.x.label, across.power));
+    let top = FigureLabel::of(&plot.y.title(up, upward.power));
     let mut boxes = Vec::new();
     if !right.is_empty() {
         boxes.push(drawing.text(right, ends[0] + Point::new(0.12, 0.0), Anchor::LEFT));
@@ -191,7 +191,7 @@ fn draw_tick(drawing: &mut Drawing, tick: &Tick, at: Point, outward: Point) {
     );
     if let Some(label) = &tick.label {
         drawing.text(
-            Label::of(label),
+            FigureLabel::of(label),
             end + outward * GAP,
             Anchor::facing(outward),
         );

@@ -7,7 +7,7 @@ use super::Plot;
 use super::course::{CurveLine, place};
 use super::frame::{Frame, HEIGHT, WIDTH};
 use super::room::Room;
-use crate::figure::{Anchor, Bounds, Drawing, Label, Path, Pen, Point, Weight};
+use crate::figure::{Anchor, Bounds, Drawing, FigureLabel, Path, Pen, Point, Weight};
 use crate::math::Math;
 
 /// Room between a label and a line.
@@ -89,7 +89,7 @@ impl Letterer {
             let Some((label, at)) = mark.label.as_ref().zip(place(plot, mark.at)) else {
                 continue;
             };
-            let (label, at) = (Label::of(label), frame.place(at));
+            let (label, at) = (FigureLabel::of(label), frame.place(at));
             let near = directions()
                 .map(|(direction, cost)| LabelCandidate::beside(at, direction, AT_DOT, cost));
             let far = FAR.iter().flat_map(|distance| {
@@ -112,7 +112,7 @@ impl Letterer {
     pub(crate) fn curves(&mut self, drawing: &mut Drawing, names: &[Named]) {
         let mut ends = Vec::new();
         for named in names {
-            let label = Label::of(&named.label);
+            let label = FigureLabel::of(&named.label);
             if !named.is_at_end
                 && let Some(candidate) = self.at_curve(&label, named.curve)
             {
@@ -127,7 +127,7 @@ impl Letterer {
     }
 
     /// The best place along a curve.
-    fn at_curve(&self, label: &Label, curve: usize) -> Option<LabelCandidate> {
+    fn at_curve(&self, label: &FigureLabel, curve: usize) -> Option<LabelCandidate> {
         let mut others = Room::of(Frame::bounds().grown(0.5));
         for (own, runs) in &self.lines {
             if *own != curve {
@@ -153,7 +153,7 @@ impl Letterer {
     /// The best free one of some places.
     fn best(
         &self,
-        label: &Label,
+        label: &FigureLabel,
         candidates: impl Iterator<Item = LabelCandidate>,
     ) -> Option<LabelCandidate> {
         let mut best: Option<LabelCandidate> = None;
@@ -186,7 +186,7 @@ impl Letterer {
     }
 
     /// Whether no label stands between a label and what it names.
-    fn leads(&self, candidate: &LabelCandidate, label: &Label) -> bool {
+    fn leads(&self, candidate: &LabelCandidate, label: &FigureLabel) -> bool {
         let Some((from, to)) = candidate.line(label) else {
             return true;
         };
@@ -196,7 +196,7 @@ impl Letterer {
             .any(|other| other.grown(GAP).chord(from, to).is_some())
     }
 
-    fn put(&mut self, drawing: &mut Drawing, label: Label, candidate: &LabelCandidate) {
+    fn put(&mut self, drawing: &mut Drawing, label: FigureLabel, candidate: &LabelCandidate) {
         if let Some((from, to)) = candidate.line(&label) {
             drawing.stroke(Path::line(from, to), Pen::new(Weight::Hair));
             self.leaders.push((from, to));
@@ -216,7 +216,7 @@ impl Letterer {
     }
 
     /// Names outside of the frame, at the height where their curves end, moved apart where they are close.
-    fn at_ends(&mut self, drawing: &mut Drawing, mut ends: Vec<(Point, Label)>) {
+    fn at_ends(&mut self, drawing: &mut Drawing, mut ends: Vec<(Point, FigureLabel)>) {
         crate::numerics::sort_by(&mut ends, |a, b| a.0.y.total_cmp(&b.0.y));
         let mut heights: Vec<f64> = ends.iter().map(|(end, _)| end.y).collect();
         spread(&mut heights);
@@ -257,12 +257,12 @@ impl LabelCandidate {
         }
     }
 
-    fn bounds(&self, label: &Label) -> Bounds {
+    fn bounds(&self, label: &FigureLabel) -> Bounds {
         self.anchor.bounds(label, self.at)
     }
 
     /// The hairline from the label to what it names.
-    fn line(&self, label: &Label) -> Option<(Point, Point)> {
+    fn line(&self, label: &FigureLabel) -> Option<(Point, Point)> {
         let to = self.leader?;
         let from = nearest(self.bounds(label).grown(0.03), to);
         Some((from, to + (from - to).unit() * 0.1))

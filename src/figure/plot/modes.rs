@@ -2,7 +2,7 @@
 
 use super::Picture;
 use crate::figure::story::{Mode, Story};
-use crate::figure::{Anchor, Drawing, Fill, Label, Path, Pen, Point, Spot, Weight};
+use crate::figure::{Anchor, Drawing, FigureLabel, Fill, Path, Pen, Point, Spot, Weight};
 use crate::math::Math;
 
 /// The mode shapes of a system.
@@ -84,14 +84,14 @@ impl ModeShapes {
             Pen::new(Weight::Medium),
         );
         let heading = Point::new(origin.x + width / 2.0, origin.y + HEADING);
-        drawing.text(Label::of(&shape.heading), heading, Anchor::BOTTOM);
+        drawing.text(FigureLabel::of(&shape.heading), heading, Anchor::BOTTOM);
         for (place, tip) in tips.iter().enumerate() {
             let upward = if tip.y < origin.y { -1.0 } else { 1.0 };
             if let Some(label) = shape.labels.get(place) {
-                drawing.place(Label::of(label), around(*tip, upward));
+                drawing.place(FigureLabel::of(label), around(*tip, upward));
             }
             if let Some(symbol) = self.coordinates.get(place) {
-                drawing.place(Label::of(symbol), around(foot(place), -upward));
+                drawing.place(FigureLabel::of(symbol), around(foot(place), -upward));
             }
         }
     }

@@ -6,7 +6,7 @@ use super::description::number;
 use super::{CurveStyle, Picture, PlotError};
 use crate::figure::arrow::{ArrowHead, Orbit, arrow, bent};
 use crate::figure::story::{Pointer, Story};
-use crate::figure::{Anchor, Bounds, Dash, Drawing, Label, Pen, Point, Spot, Weight, spots};
+use crate::figure::{Anchor, Bounds, Dash, Drawing, FigureLabel, Pen, Point, Spot, Weight, spots};
 use crate::math::Math;
 use crate::unit::{DecimalMark, Unit};
 
@@ -96,7 +96,7 @@ impl Phasors {
                 let near = spots::beside(foot, tip, 0.04, None).into_iter();
                 let beyond = [0.1, 0.3].map(|gap| spots::around(tip, gap, None));
                 let spots = near.chain(beyond.into_iter().flatten()).collect();
-                drawing.place(Label::of(label), spots);
+                drawing.place(FigureLabel::of(label), spots);
             }
         }
         for (number, turn) in self.angles.iter().enumerate() {
@@ -172,7 +172,7 @@ impl PhasorAngle {
             let beside = ends
                 .into_iter()
                 .flat_map(|end| spots::around(end, 0.1, None));
-            drawing.place(Label::of(label), places.chain(beside).collect());
+            drawing.place(FigureLabel::of(label), places.chain(beside).collect());
         }
     }
 }
@@ -189,7 +189,7 @@ fn axes(drawing: &mut Drawing, span: Bounds, scale: f64) {
     ] {
         arrow(drawing, from, to, pen, ArrowHead::USUAL);
         let beyond = (to - from).unit() * 0.12;
-        drawing.text(Label::upright(name), to + beyond, anchor);
+        drawing.text(FigureLabel::upright(name), to + beyond, anchor);
     }
 }
 
