@@ -260,8 +260,8 @@ struct Folder<'t> {
     has_over: bool,
     /// Where each brace opens, and where its partner closes, once they were looked for.
     partners: OnceCell<Vec<(usize, usize)>>,
-    /// Commas that stand for an equals sign.
-    equals: Vec<usize>,
+    /// Commas and arrows that stand for an equals sign, and how long they are.
+    equals: Vec<(usize, usize)>,
     /// What ends the rows of a matrix, or one of several answers.
     row_ends: Vec<usize>,
     /// Whether tabs part cells.
@@ -334,6 +334,9 @@ impl Folder<'_> {
         if "{}\\".contains(char) && self.fraction(char) {
             return;
         }
+        if let Some((_, length)) = self.equals.iter().find(|(at, _)| *at == self.at) {
+            return self.write("=", *length);
+        }
         if char == '\\' {
             return self.command();
         }
@@ -342,9 +345,6 @@ impl Folder<'_> {
         }
         if char == '\t' && self.has_cells {
             return self.write("&", 1);
-        }
-        if self.equals.contains(&self.at) {
-            return self.write("=", 1);
         }
         if self.row_ends.contains(&self.at) {
             return self.write(";", 1);

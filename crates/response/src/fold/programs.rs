@@ -78,7 +78,7 @@ impl Folder<'_> {
             return false;
         };
         let start = self.at + length + 1;
-        self.equals.push(start + comma);
+        self.equals.push((start + comma, 1));
         self.blanked.push(start + close);
         self.write(" ", length + 1);
         true

@@ -1,6 +1,7 @@
 //! The steps of a derivation, of which the last one is the answer, and lines that go on with the one before.
 
 use super::Folder;
+use crate::signs::is_minus;
 
 /// Arrows from a step of a derivation to the next, and from an equation to one that says the same.
 const ARROWS: [&str; 17] = [
@@ -63,6 +64,33 @@ fn end_of_steps(line: &str) -> Option<usize> {
     is_step.then_some(at + arrow.len())
 }
 
+/// Where the only arrow of a line stands that leads from a name to its value, `ζ → 1.06`, `C -> 0.18`, and how long it
+/// is: programs and some people write it for an equals sign.
+fn arrow_to_value(line: &str) -> Option<(usize, usize)> {
+    if !line.contains(OF_ARROWS) {
+        return None;
+    }
+    let mut found = AMBIGUOUS_ARROWS[1..]
+        .iter()
+        .filter_map(|arrow| Some((line.find(arrow)?, *arrow)));
+    let (at, arrow) = found.next().filter(|_| found.next().is_none())?;
+    let (before, behind) = (line[..at].trim(), &line[at + arrow.len()..]);
+    let relates = |text: &str| text.contains(['=', '≈', '<', '>', '≤', '≥', '→', ',', ':']);
+    let begins =
+        |first: char| first.is_ascii_digit() || ".+√π∞(".contains(first) || is_minus(first);
+    let is_name = before.starts_with(|first: char| first.is_alphabetic() || "\\|".contains(first))
+        // `t -> 2 t` is a function.
+        && before != "t";
+    let is_value = behind.starts_with([' ', '\\']) || behind.starts_with(begins);
+    let value = behind.trim_start();
+    let is_value = is_value && (value.starts_with(begins) || value.starts_with("\\pi"));
+    let is_used = value
+        .split(|char: char| !char.is_alphanumeric())
+        .any(|word| word == before);
+    (is_name && is_value && !is_used && !relates(before) && !relates(behind))
+        .then_some((at, arrow.len()))
+}
+
 /// Where the equals sign stands in a line that is about the same symbol as the line before, and says nothing of where
 /// either holds.
 fn repeated(before: &str, line: &str) -> Option<usize> {
@@ -97,6 +125,9 @@ impl Folder<'_> {
             at = own.end;
             if line.trim().is_empty() {
                 continue;
+            }
+            if let Some((arrow, length)) = arrow_to_value(line) {
+                self.equals.push((own.start + arrow, length));
             }
             if let Some(end) = end_of_steps(line) {
                 let is_first = line[..end].trim_start_matches(ARROWS_AND_SPACES).is_empty();
