@@ -598,13 +598,13 @@ fn is_number(expr: &Expr) -> bool {
     expr.as_number().is_some()
 }
 
-/// Whether a factor is a number, π, e or the imaginary unit, or a product or root of such.
+/// Whether a factor is a number, π, e or the imaginary unit, or arithmetic with such.
 fn is_constant(expr: &Expr) -> bool {
     match expr.kind() {
         Kind::Constant(_) => true,
         Kind::Call(_, arguments) => arguments.iter().all(is_constant),
         Kind::Negate(inner) => is_constant(inner),
-        Kind::Binary(Operator::Multiply, left, right) => is_constant(left) && is_constant(right),
+        Kind::Binary(_, left, right) => is_constant(left) && is_constant(right),
         _ => is_number(expr),
     }
 }
