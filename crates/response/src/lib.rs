@@ -43,6 +43,7 @@ mod conjugates;
 mod determinant;
 mod differential;
 mod digits;
+mod distance;
 mod equated;
 mod equations;
 mod error;

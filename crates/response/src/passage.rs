@@ -9,7 +9,7 @@ use super::naming;
 use super::pieces::{self, FunctionPiece};
 use super::reworded::{self, Reworded};
 use super::{
-    Chain, Lexicon, Manner, Phrase, Typed, TypedError, components, equated, equations,
+    Chain, Lexicon, Manner, Phrase, Typed, TypedError, components, distance, equated, equations,
     free_letters, list, relation, sides, words,
 };
 use vibank_formula::expr::{Expr, Kind, Name};
@@ -248,6 +248,11 @@ impl<'t> Passage<'t> {
     /// Whether the imaginary unit may stand in it.
     pub fn may_be_complex(self) -> bool {
         self.0.contains(['i', 'j', 'I'])
+    }
+
+    /// The two terms of the distance that it is, `|x - 3 mm|`, and whether the second one is subtracted.
+    pub fn distance(self) -> Option<([Self; 2], bool)> {
+        distance::distance(self.0)
     }
 
     /// A count in words, `two`, in digits.

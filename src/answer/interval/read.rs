@@ -108,7 +108,19 @@ impl Ends<'_> {
         // `≥ 0.3` speaks of what is asked.
         let is_left_out = signs.len() == 1 && sides[0].is_empty();
         let variable = is_left_out.then_some((0, BoundedSubject::Variable));
-        let mut subjects = sides.iter().map(|side| self.subject(*side)).enumerate();
+        // The unit that stands last serves the numbers before it.
+        let behind = |at: usize| {
+            let mut own = *unit;
+            for side in sides[at + 1..].iter().rev() {
+                // What is wrong with a bound is reported where it is read.
+                let _ = self.number(*side, &mut own);
+            }
+            own
+        };
+        let mut subjects = sides
+            .iter()
+            .enumerate()
+            .map(|(at, side)| (at, self.subject(*side, behind(at))));
         let subject = variable.or_else(|| subjects.find_map(|(at, own)| Some((at, own?))));
         let Some((place, subject)) = subject else {
             return Err(self.without_subject(sides).into());
@@ -143,7 +155,7 @@ impl Ends<'_> {
     ) -> Read<Set> {
         let subject = match subject {
             None => BoundedSubject::Variable,
-            Some(name) => self.subject(name).ok_or_else(|| {
+            Some(name) => self.subject(name, *unit).ok_or_else(|| {
                 let symbol = self.setup.symbol.plain();
                 Unreadable::at(name, Why::BeforeInterval(symbol))
             })?,

@@ -5,6 +5,7 @@ use super::set::{End, Set, SetPiece};
 use crate::expr::{Expr, Function, Kind, Substitution};
 use crate::numerics::Rational;
 use crate::response::Passage;
+use crate::unit::Unit;
 
 /// What an inequality bounds.
 pub(crate) enum BoundedSubject {
@@ -36,14 +37,43 @@ impl BoundedSubject {
 }
 
 impl Ends<'_> {
-    /// What a side speaks of, if it is the variable or a distance on its axis.
-    pub(crate) fn subject(&self, side: Passage<'_>) -> Option<BoundedSubject> {
+    /// What a side speaks of, if it is the variable or a distance on its axis; a number there that has no unit has the one
+    /// at hand.
+    pub(crate) fn subject(&self, side: Passage<'_>, unit: Option<Unit>) -> Option<BoundedSubject> {
+        if let Some(distance) = self.distance_from_number(side, unit) {
+            return Some(distance);
+        }
         let expr = self.formula(side).ok()?;
         match expr.kind() {
             Kind::Name(name) if *name == self.setup.variable => Some(BoundedSubject::Variable),
             Kind::Call(Function::Abs, arguments) => self.distance(arguments.first()?),
             _ => None,
         }
+    }
+
+    /// The distance `|x - 92.5 mm|` from a number.
+    fn distance_from_number(
+        &self,
+        side: Passage<'_>,
+        unit: Option<Unit>,
+    ) -> Option<BoundedSubject> {
+        let ([one, other], is_less) = side.distance()?;
+        let is_variable = |term: Passage<'_>| {
+            let formula = self.formula(term);
+            formula.is_ok_and(
+                |own| matches!(own.kind(), Kind::Name(name) if *name == self.setup.variable),
+            )
+        };
+        let number = if is_variable(one) {
+            other
+        } else {
+            Some(one).filter(|_| is_variable(other))?
+        };
+        let centre = self.number(number, &mut { unit }).ok().flatten()?;
+        Some(BoundedSubject::Distance {
+            centre: if is_less { centre } else { -centre },
+            slope: 1.0,
+        })
     }
 
     /// The place where a linear expression in the variable vanishes, and its slope.
