@@ -74,6 +74,12 @@ impl Phrase {
         are_letters.then(|| each().collect())
     }
 
+    /// The letters that dashes or slashes part, `c-b-a`, `c/b/a`.
+    pub fn letters_apart(&self) -> Option<Vec<Self>> {
+        let pieces: Vec<Self> = self.plain.split(['-', '/']).map(Self::of).collect();
+        (pieces.len() > 1 && pieces.iter().all(|own| own.letter().is_some())).then_some(pieces)
+    }
+
     /// Without the brackets around them.
     #[must_use]
     pub fn bare(&self) -> Self {
@@ -145,6 +151,7 @@ impl Phrase {
     pub fn parts(&self) -> Vec<Self> {
         let parts = self.typed.split([',', ';', '>', '→', '\n']);
         let parts = parts.flat_map(|part| part.split(" and "));
+        let parts = parts.flat_map(|part| part.split(" then "));
         let parts = parts.flat_map(|part| part.split(" & ")).map(str::trim);
         let parts: Vec<&str> = parts.filter(|part| !part.is_empty()).collect();
         match parts[..] {

@@ -4,8 +4,13 @@ use super::formula::Formula;
 use super::marker::Chosen;
 use crate::response::{Passage, Phrase};
 
-/// The option `yes` or `no` in other words.
-const ASSENTS: [(&str, &[&str]); 2] = [
+/// The options `yes` and `no`, and those that other languages have nearly alike, in other words.
+const ASSENTS: [(&str, &[&str]); 4] = [
+    (
+        "unstable",
+        &["not stable", "instable", "instabil", "inestable"],
+    ),
+    ("stable", &["stabil", "estable"]),
     (
         "yes",
         &["y", "oui", "ja", "sí", "true", "it does", "yes, it does"],
@@ -124,7 +129,7 @@ impl Chosen {
         let mut pieces = response.parts();
         // `acd`, where no option is called so.
         if let ([one], true) = (&pieces[..], self.is_several || self.is_ranking)
-            && let Some(letters) = one.letters()
+            && let Some(letters) = one.letters().or_else(|| one.letters_apart())
             && letters
                 .iter()
                 .all(|letter| self.of_letter(letter).is_some())
