@@ -174,6 +174,11 @@ impl Marker for Whole {
         {
             return Ok(Echo::of_reading(reading));
         }
+        if read.is_err()
+            && let Some(bare) = response.before_remark()
+        {
+            return self.echo(bare);
+        }
         let (first, others) = read?;
         let readings = [first].into_iter().chain(others);
         Echo::of(readings.map(|own| self.reading(&own))).ok_or_else(|| Why::Form.into())
@@ -187,6 +192,10 @@ impl Marker for Whole {
     fn mark(&self, response: Passage<'_>) -> Marking {
         let digits = response.in_digits();
         let response = digits.as_ref().map_or(response, Reworded::passage);
+        // Elsewhere that is no answer.
+        if self.key == 0.0 && response.is("none") {
+            return self.counted(self.reading(&Quantity::pure(Decimal::ZERO)), 0.0);
+        }
         let read = numeric::readings(response, self.mark);
         let is_count = |read: &(Quantity, _)| read.0.unit.is_one();
         // A count has no unit: what could be one is a symbol of the question.
@@ -197,7 +206,10 @@ impl Marker for Whole {
         }
         let (first, others) = match read {
             Ok(readings) => readings,
-            Err(why) => return Marking::unreadable(why),
+            Err(why) => {
+                let bare = response.before_remark();
+                return bare.map_or_else(|| Marking::unreadable(why), |bare| self.mark(bare));
+            }
         };
         let candidate = |quantity: Quantity| Candidate {
             shown: quantity.text(self.mark),
