@@ -2,7 +2,7 @@
 
 use crate::letters::greek_word;
 use crate::signs::is_apostrophe;
-use crate::words::{ASIDES, REASONS, SEALS, TRAILS};
+use crate::words::{ASIDES, REASONS, SEALS, TRAILS, TURNING};
 use vibank_formula::unit::Unit;
 use vibank_source::lower;
 
@@ -103,13 +103,26 @@ fn aside(text: &str) -> Option<usize> {
         word.chars().filter(|char| char.is_alphabetic()).count() >= MIN_LETTERS
             && greek_word(&lower(word)).is_none()
             && Unit::read(word).is_err()
+            && Unit::read(&lower(word)).is_err()
     };
-    // One word alone may name an option, `underdamped (aperiodic)`.
-    let are_words = words.clone().count() > 1
+    // One word alone may name an option, `underdamped (aperiodic)`; after a value it is a remark, `0.285 (underdamped)`,
+    // unless it says of the value that it is another one, `20 mm (left)`.
+    let is_of_value = || ends_in_value(before) && !TURNING.contains(&lower(aside).as_str());
+    let are_words = (words.clone().count() > 1 || is_of_value())
         && words.clone().all(is_word)
         && words.any(is_no_letter)
         && Unit::read(aside).is_err();
     if are_words { length() } else { None }
+}
+
+/// Whether a text ends in a number, perhaps with a unit after a space.
+fn ends_in_value(text: &str) -> bool {
+    let is_number =
+        |text: &str| text.ends_with(|last: char| last.is_ascii_digit() || "°%".contains(last));
+    is_number(text)
+        || text
+            .rsplit_once(' ')
+            .is_some_and(|(number, unit)| is_number(number.trim_end()) && Unit::read(unit).is_ok())
 }
 
 /// The length of what says to how many figures an answer is given: `to 3 s.f.`, `to 3 significant figures`.
