@@ -47,6 +47,7 @@ pub use error::AnswerError;
 pub use kind::AnswerKind;
 pub use marking::{Credit, Key, KeyValue, Marking, Reading, Reason, Verdict};
 pub(crate) use naming::Naming;
+pub(crate) use numeric::are_one_value;
 pub use remark::{
     Close, Coefficient, Decades, Example, Fault, Linearity, Misfit, Negated, Note, Remark, Scaling,
     Shape, Slip, Term, TermKind, Terms, TwoPi, Unreadable, Why,

@@ -31,8 +31,8 @@ pub(crate) struct Naming {
 }
 
 impl Naming {
-    /// The names of an item of which these are asked. Only what students see counts: data, coordinates, and what earlier
-    /// parts ask.
+    /// The names of an item of which these are asked. Only what students see counts: data, coordinates, and what its
+    /// parts ask for, later ones among them.
     pub(crate) fn of(
         declare: &dyn Declare,
         kind: AnswerKind,
@@ -159,6 +159,18 @@ impl Naming {
             .is_some_and(|typed| self.is_asked(&typed))
     }
 
+    /// Whether a formula is made of what is asked for, `2 ω`.
+    pub(crate) fn is_of_key(&self, formula: &expr::Expr) -> bool {
+        let names = formula.names();
+        self.asked.iter().any(|asked| names.uses(asked))
+    }
+
+    /// The formula in names of the item that a side of a statement is, if names stand in it.
+    pub(crate) fn letters(&self, side: Passage<'_>) -> Option<expr::Expr> {
+        self.reads(side)
+            .filter(|formula| !formula.names().free.is_empty())
+    }
+
     /// The formula that a label is.
     fn reads(&self, label: Passage<'_>) -> Option<expr::Expr> {
         let typed = label.formula(&self.lexicon, Manner::default());
@@ -217,6 +229,31 @@ impl Naming {
     }
 }
 
+/// The letters that the steps before a value may be written in: those of the question, with and without their indices,
+/// and the period and the frequency.
+pub(crate) fn letters_of_steps(declare: &dyn Declare) -> Lexicon {
+    const CUSTOMARY: [&str; 2] = ["T", "f"];
+    let mut lexicon = Lexicon::new();
+    let known = declare.known();
+    let mut names: Vec<Name> = Vec::new();
+    for own in known.iter().filter(|own| is_seen(own.role)) {
+        lexicon.allow(&own.name, own.symbol.clone(), own.role == Role::Coordinate);
+        names.push(own.name.clone());
+    }
+    let letters: Vec<Name> = names
+        .iter()
+        .map(|name| Name::new(parted(name.as_str()).0))
+        .chain(CUSTOMARY.map(Name::new))
+        .collect();
+    for letter in letters {
+        if !names.contains(&letter) {
+            lexicon.allow(&letter, symbol(letter.as_str()), false);
+            names.push(letter);
+        }
+    }
+    lexicon
+}
+
 /// Whether a name is that of the key, or of one of the entries that it lists.
 fn is_asked(declare: &dyn Declare, key: NodeId, own: &Known) -> bool {
     let (Role::Parameter { node, .. } | Role::Quantity { node, .. }) = own.role else {
@@ -247,15 +284,20 @@ fn is_same(one: &Known, other: &Known) -> bool {
     one.name == other.name || one.symbol == other.symbol
 }
 
-/// Whether a name says something else than what is asked. The letter of what is asked does not, whatever its index was:
-/// many write `k` for k_eq and ω for ω_d.
+/// Whether a name says something else than what is asked. The letter of what is asked without an index does not: many
+/// write `k` for k_eq and ω for ω_d. With the index of another quantity, `ω_n`, it does. A datum may be asked for as well:
+/// `v0 = …` of the least start.
 fn is_other(own: &Known, asked: &[&Known], dimension: Option<Dimension>, kind: AnswerKind) -> bool {
     let (letter, index) = parted(own.name.as_str());
-    let is_letter_of = |asked: &&Known| parted(asked.name.as_str()).0 == letter;
-    let same_letter = asked.iter().find(|asked| is_letter_of(asked));
-    if let Some(asked) = same_letter {
+    let mut names = asked.iter().map(|asked| parted(asked.name.as_str()));
+    if let Some((_, of_asked)) = names.find(|asked| asked.0 == letter) {
+        if matches!(own.role, Role::Quantity { .. }) {
+            // `Z_L = 85 Ω` is said of its modulus, too.
+            let rest = of_asked.strip_prefix(index);
+            let is_part = rest.is_some_and(|rest| rest.is_empty() || rest.starts_with('_'));
+            return !index.is_empty() && !is_part;
+        }
         // `ω_1` is not ω_2.
-        let (_, of_asked) = parted(asked.name.as_str());
         let is_number = |index: &str| index.parse::<u32>().is_ok_and(|number| number > 0);
         return is_number(index) && is_number(of_asked) && index != of_asked;
     }
@@ -300,6 +342,7 @@ fn customary(
         }
         _ if is_rate && is_angular => vec!["T", "f"],
         _ if is_rate => vec!["T"],
+        _ if dimension == Some(Dimension::TIME) => vec!["f"],
         _ => Vec::new(),
     }
 }

@@ -3,10 +3,15 @@
 
 use super::Sheet;
 use super::typed::TypedResponse;
-use crate::answer::{Credit, Marker, Marking, Naming, Note, Reason, Remark, Slip, Verdict, Why};
+use crate::answer::{
+    AnswerKind, Answered, Credit, Marker, Marking, Naming, Note, Reason, Remark, Slip, Verdict,
+    Why, are_one_value,
+};
+use crate::expr::{Expr, Kind, Precise, Program, Slots, Variable, Workspace};
 use crate::numerics::Rational;
 use crate::response::Passage;
 use crate::solution::Solution;
+use crate::unit::DecimalMark;
 
 /// The marking of a response that its own kind hands back, if it says something in the other form: of a statement in
 /// both forms the one that is asked counts, and a right answer in the other form alone has its share.
@@ -32,10 +37,25 @@ pub(crate) fn otherwise(
     if sides.len() < 2 && !is_open {
         return None;
     }
+    let is_of_value = part.answer.kind() == AnswerKind::Numeric;
+    // The value that was read counts, whatever the steps before it are.
+    if is_of_value && !is_open {
+        return None;
+    }
     let other = solution.other_marker(place)?;
     let own = solution.marker(place).ok()?;
-    if let Some(marking) = statement(own, other, &part.naming, sides) {
-        return Some(marking);
+    let forms = Forms {
+        own,
+        other,
+        naming: &part.naming,
+        mark: solution.mark(),
+    };
+    let marking = match is_of_value {
+        true => forms.value(solution, sides),
+        false => forms.formula(sides),
+    };
+    if marking.is_some() {
+        return marking;
     }
     if !is_open {
         return None;
@@ -77,68 +97,178 @@ pub(crate) fn standing(
 /// The most sides of a statement in both forms, each of which is marked: a derivation has a few.
 const MAX_SIDES: usize = 12;
 
-/// The marking of a statement with sides in both forms: that of its last side in the form that is asked, if all others
-/// agree with it.
-fn statement(
-    own: &dyn Marker,
-    other: &dyn Marker,
-    naming: &Naming,
-    mut sides: Vec<Passage<'_>>,
-) -> Option<Marking> {
-    // What is asked may stand before the first equals sign, whatever else its letter means.
-    let is_led = sides.len() > 1 && naming.is_of_asked(sides[0]);
-    if is_led {
-        sides.remove(0);
-    }
-    if sides.len() < 2 {
-        return None;
-    }
-    let mark = |side: Passage<'_>| (own.mark(side), other.mark(side));
-    let is_letter = |marking: &Marking| {
-        let reading = marking.reading.as_ref();
-        reading.is_none_or(|reading| is_name(&reading.text))
-    };
-    let are_letters = |side: Passage<'_>| {
-        let (own, other) = mark(side);
-        is_letter(&own) && is_letter(&other)
-    };
-    if !is_led && sides[0].is_symbol() && are_letters(sides[0]) {
-        sides.remove(0);
-    } else if let Some(last) = sides.last().copied().filter(|side| side.is_symbol()) {
-        // Or after the last one: `15.8 rad/s = ω`.
-        if are_letters(last) {
-            sides.pop();
+/// What marks a statement with sides in both forms.
+struct Forms<'s> {
+    own: &'s dyn Marker,
+    other: &'s dyn Marker,
+    naming: &'s Naming,
+    mark: DecimalMark,
+}
+
+/// A side by its marking as the form that is asked for and as the other one.
+struct FormedSide<'t> {
+    typed: Passage<'t>,
+    own: Marking,
+    other: Marking,
+}
+
+impl Forms<'_> {
+    fn marked<'t>(&self, typed: Passage<'t>) -> FormedSide<'t> {
+        FormedSide {
+            typed,
+            own: self.own.mark(typed),
+            other: self.other.mark(typed),
         }
     }
-    if sides.len() > MAX_SIDES {
-        return None;
+
+    /// The sides of a statement without the symbol of what is asked for, and whether that or another letter stood before
+    /// the first equals sign.
+    fn unnamed<'t>(&self, mut sides: Vec<Passage<'t>>) -> (Vec<FormedSide<'t>>, bool) {
+        // What is asked may stand before the first equals sign, whatever else its letter means.
+        let mut is_led = sides.len() > 1 && self.naming.is_of_asked(sides[0]);
+        if is_led {
+            sides.remove(0);
+        }
+        if sides.len() > MAX_SIDES + 1 {
+            return (Vec::new(), is_led);
+        }
+        let mut marked: Vec<FormedSide<'t>> =
+            sides.into_iter().map(|side| self.marked(side)).collect();
+        let is_letter = |side: &FormedSide<'_>| {
+            let is_it = |marking: &Marking| {
+                let reading = marking.reading.as_ref();
+                reading.is_none_or(|reading| is_name(&reading.text))
+            };
+            // `2 x` is no name.
+            let is_made_of_names = self
+                .naming
+                .letters(side.typed)
+                .is_some_and(|formula| !matches!(formula.kind(), Kind::Name(_) | Kind::Prime(..)));
+            side.typed.is_symbol() && !is_made_of_names && is_it(&side.own) && is_it(&side.other)
+        };
+        if marked.len() > 1 && !is_led && is_letter(&marked[0]) {
+            marked.remove(0);
+            is_led = true;
+        } else if marked.len() > 1 && marked.last().is_some_and(is_letter) {
+            // Or after the last one: `15.8 rad/s = ω`.
+            marked.pop();
+        }
+        (marked, is_led)
     }
-    let mut marked: Vec<(Marking, Marking)> = Vec::with_capacity(sides.len());
-    for side in sides {
-        let (own, other) = mark(side);
-        if own.reading.is_none() && other.reading.is_none() {
+
+    /// The marking of a statement where a formula is asked for: that of its last side in letters, if all others agree
+    /// with it.
+    fn formula(&self, sides: Vec<Passage<'_>>) -> Option<Marking> {
+        let (marked, _) = self.unnamed(sides);
+        let is_unread =
+            |side: &FormedSide<'_>| side.own.reading.is_none() && side.other.reading.is_none();
+        if !(2..=MAX_SIDES).contains(&marked.len()) || marked.iter().any(is_unread) {
             return None;
         }
-        marked.push((own, other));
-    }
-    let is_in_form = |(own, _): &&(Marking, Marking)| own.reading.is_some();
-    let in_form = marked.iter().filter(is_in_form).count();
-    if in_form == 0 || in_form == marked.len() {
-        return None;
-    }
-    let (counts, _) = marked.iter().rfind(is_in_form)?;
-    let agrees = marked.iter().all(|(own, other)| {
-        if own.reading.is_some() {
-            is_right(own)
-        } else {
-            is_right(other)
+        let is_in_form = |side: &&FormedSide<'_>| side.own.reading.is_some();
+        let in_form = marked.iter().filter(is_in_form).count();
+        if in_form == 0 || in_form == marked.len() {
+            return None;
         }
-    });
-    if !is_right(counts) || agrees {
-        return Some(counts.clone());
+        let counts = &marked.iter().rfind(is_in_form)?.own;
+        // Bare numbers before a value with its unit are in SI units, or in those of the sheet.
+        let value = marked.iter().rfind(|side| !is_in_form(side))?;
+        let is_value = |side: &FormedSide<'_>| {
+            is_right(&side.other) || self.is_one_value(side.typed, value.typed)
+        };
+        let agrees = is_right(&value.other)
+            && marked.iter().all(|side| match is_in_form(&side) {
+                true => is_right(&side.own),
+                false => is_value(side),
+            });
+        if !is_right(counts) || agrees {
+            return Some(counts.clone());
+        }
+        let reading = counts.reading.clone()?;
+        Some(Marking::wrong(reading, Remark::from(Slip::UnequalSides)))
     }
-    let reading = counts.reading.clone()?;
-    Some(Marking::wrong(reading, Remark::from(Slip::UnequalSides)))
+
+    /// The marking of a statement where a value is asked for: that of its last number, which the steps in letters need
+    /// not agree with, since letters of a textbook and data that were substituted stand in them. Numbers that contradict
+    /// each other are handed back, and so is what begins with letters that are something else.
+    fn value(&self, solution: &Solution<'_>, sides: Vec<Passage<'_>>) -> Option<Marking> {
+        let (marked, is_led) = self.unnamed(sides);
+        if !(2..=MAX_SIDES).contains(&marked.len()) {
+            return None;
+        }
+        let letters = |side: &FormedSide<'_>| {
+            let read = side.other.reading.as_ref();
+            let formula = read.and_then(|reading| reading.answered.formula());
+            formula
+                .filter(|own| !own.names().free.is_empty())
+                .or_else(|| self.naming.letters(side.typed))
+        };
+        let is_number = |side: &FormedSide<'_>| {
+            let is_misfit = side.own.reasons().contains(&Reason::Dimension);
+            let may_be_letters = || letters(side).is_some() || side.typed.is_of_free_letters();
+            side.own.reading.is_some() && !(is_misfit && may_be_letters())
+        };
+        let value = marked.iter().rfind(|side| is_number(side))?;
+        for (at, side) in marked.iter().enumerate() {
+            if is_number(side) {
+                // `8.94 = 1.42 Hz` is one value in two units, where rad/s is asked for.
+                let are_right = is_right(&side.own) && is_right(&value.own);
+                if !are_right && !self.is_one_value(side.typed, value.typed) {
+                    let (one, other) = (side.typed.short(), value.typed.short());
+                    return Some(Marking::unreadable(Why::UnequalSides(one, other)));
+                }
+                continue;
+            }
+            let formula = letters(side);
+            if formula.is_none() && (at == 0 && !is_led || !side.typed.is_of_free_letters()) {
+                return None;
+            }
+            let is_first = at == 0 && !is_led;
+            // `2 ω = 10 rad/s` is of another quantity, whatever the value is.
+            let is_it = || match &formula {
+                Some(formula) if self.naming.is_of_key(formula) => false,
+                Some(formula) => is_right(&side.other) || comes_to(solution, formula, &value.own),
+                None => false,
+            };
+            if is_first && !is_it() {
+                return None;
+            }
+        }
+        Some(value.own.clone())
+    }
+
+    /// Whether two numbers agree.
+    fn is_one_value(&self, one: Passage<'_>, other: Passage<'_>) -> bool {
+        one == other || are_one_value(one, other, self.mark)
+    }
+}
+
+/// Whether a formula has the value that was typed, for the data of the sheet.
+fn comes_to(solution: &Solution<'_>, formula: &Expr, typed: &Marking) -> bool {
+    // Of two values rounded to three figures.
+    const SHARE: f64 = 0.01;
+    let free = formula.names().free;
+    let names: Vec<&str> = free.iter().map(|own| own.name.as_str()).collect();
+    let graph = &solution.template().graph;
+    let value = |own: &Variable| {
+        let node = graph.find(&own.name).filter(|_| own.order == 0)?;
+        solution.evaluation().real(node).ok().map(Precise::exact)
+    };
+    let Some(values) = free.iter().map(value).collect::<Option<Vec<Precise>>>() else {
+        return false;
+    };
+    let program = Program::compile(formula, &Slots(&names));
+    let own = program.ok().and_then(|program| {
+        let own = program.evaluate_real(&values[..], &mut Workspace::default());
+        own.ok()
+    });
+    let typed = typed.reading.as_ref().map(|reading| &reading.answered);
+    match (own, typed) {
+        (Some(own), Some(Answered::Number { si, .. })) => {
+            (own - si).abs() <= SHARE * own.abs().max(si.abs())
+        }
+        _ => false,
+    }
 }
 
 /// Whether it was handed back since it can be read in two ways.

@@ -5,6 +5,16 @@ use super::letters::letter;
 use vibank_formula::expr::Name;
 use vibank_notation::symbol;
 
+/// Whether no run of letters is a word that joins or denies.
+pub(crate) fn are_no_words(text: &str) -> bool {
+    const WORDS: [&str; 24] = [
+        "or", "and", "nor", "not", "no", "but", "so", "is", "if", "in", "to", "by", "at", "as",
+        "of", "on", "for", "the", "are", "was", "one", "two", "yes", "oder",
+    ];
+    let mut runs = text.split(|char: char| !char.is_ascii_alphabetic());
+    !runs.any(|run| WORDS.contains(&run))
+}
+
 /// The letters of a text as names; nothing where its letters are words, or where it has no sign of a formula.
 pub(crate) fn lexicon(text: &str) -> Option<Lexicon> {
     /// Letters in a row that make a word, unless they are a function or a command.

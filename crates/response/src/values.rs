@@ -196,6 +196,23 @@ impl<'t> Values<'t> {
         Statement { sides, unequal }
     }
 
+    /// A named value before the only sign of comparison, that sign, and what it is compared with: `ζ = 0.285 < 1`.
+    pub fn compared(&self, part: &Part) -> Option<(Part, char, Part)> {
+        let is_sign =
+            |item: &Item| matches!(item, Item::Sign('<' | '>' | '≤' | '≥' | '≠' | '±' | ':'));
+        let pieces = self.cut(part, is_sign);
+        let [value, other] = &pieces[..] else {
+            return None;
+        };
+        let Some(Item::Sign(sign @ ('<' | '>'))) =
+            self.tokens.get(value.end).map(|token| &token.item)
+        else {
+            return None;
+        };
+        let is_stated = self.has(value, '=') && !self.has(other, '=');
+        is_stated.then(|| (value.clone(), *sign, other.clone()))
+    }
+
     /// The first bracket without a partner of its kind.
     pub fn lone_bracket(&self) -> Option<Passage<'t>> {
         let mut open: Vec<(char, &Token)> = Vec::new();

@@ -558,6 +558,14 @@ const COUNTS: &[(&str, u8)] = &[
     ("ten", 10),
     ("eleven", 11),
     ("twelve", 12),
+    ("thirteen", 13),
+    ("fourteen", 14),
+    ("fifteen", 15),
+    ("sixteen", 16),
+    ("seventeen", 17),
+    ("eighteen", 18),
+    ("nineteen", 19),
+    ("twenty", 20),
     ("un", 1),
     ("deux", 2),
     ("trois", 3),
@@ -591,8 +599,13 @@ const COUNTED: &[&str] = &[
     "dofs",
     "dof",
     "ddl",
+    "independent coordinates",
     "coordinates",
+    "independent constraints",
     "constraints",
+    "constraint",
+    "equations",
+    "pairs",
     "modes",
 ];
 
@@ -610,20 +623,27 @@ pub(crate) fn count_in_digits(typed: &str) -> Option<String> {
     let count = alone.unwrap_or(text);
     let last = count.rsplit([' ', '=', ':']).next().unwrap_or(count);
     let number = COUNTS
-    ("thirteen", 13),
-    ("fourteen", 14),
-    ("fifteen", 15),
-    ("sixteen", 16),
-    ("seventeen", 17),
-    ("eighteen", 18),
-    ("nineteen", 19),
-    ("twenty", 20),
         .iter()
         .find(|(word, _)| last.eq_ignore_ascii_case(word));
     match number {
         Some((_, number)) => Some(format!("{}{number}", &count[..count.len() - last.len()])),
         None => alone.map(str::to_owned),
     }
+}
+
+/// An integer without the remark in brackets after it, `3 (x, y, z)`; a factor has no letters, and a remark that leaves
+/// a choice or takes back is none.
+pub(crate) fn before_remark(text: &str) -> Option<&str> {
+    let (before, remark) = text.strip_suffix(')')?.split_once(" (")?;
+    let mut words = remark.split(|char: char| !char.is_alphabetic());
+    let is_doubt = |word: &str| {
+        [
+            "or", "not", "oder", "maybe", "perhaps", "wrong", "if", "per", "each", "times",
+        ]
+        .contains(&vibank_source::lower(word).as_str())
+    };
+    let is_remark = remark.contains(char::is_alphabetic) && !words.any(is_doubt);
+    (before.ends_with(|last: char| last.is_ascii_digit()) && is_remark).then_some(before)
 }
 
 /// The word for what is counted, after a number: `2 periods`.
@@ -651,13 +671,8 @@ pub(crate) fn counted(value: &str) -> Option<&str> {
         .contains(&word.to_ascii_lowercase().as_str())
         .then_some(word)
 }
-    "independent coordinates",
 
-    "independent constraints",
 /// Roots in other languages, before a bracket.
-    "constraint",
-    "equations",
-    "pairs",
 pub(crate) const ROOTS: &[&str] = &[
     "racine", "RACINE", "Racine", "wurzel", "WURZEL", "Wurzel", "raiz", "RAIZ", "raíz", "RAÍZ",
     "radq", "RADQ",
@@ -683,21 +698,6 @@ pub(crate) const NUMBERS: &[&str] = &[
 pub(crate) const LISTS: &[&str] = &[
     "np.array",
     "numpy.array",
-/// An integer without the remark in brackets after it, `3 (x, y, z)`; a factor has no letters, and a remark that leaves
-/// a choice or takes back is none.
-pub(crate) fn before_remark(text: &str) -> Option<&str> {
-    let (before, remark) = text.strip_suffix(')')?.split_once(" (")?;
-    let mut words = remark.split(|char: char| !char.is_alphabetic());
-    let is_doubt = |word: &str| {
-        [
-            "or", "not", "oder", "maybe", "perhaps", "wrong", "if", "per", "each", "times",
-        ]
-        .contains(&vibank_source::lower(word).as_str())
-    };
-    let is_remark = remark.contains(char::is_alphabetic) && !words.any(is_doubt);
-    (before.ends_with(|last: char| last.is_ascii_digit()) && is_remark).then_some(before)
-}
-
     "array",
     "np.matrix",
     "numpy.matrix",

@@ -174,15 +174,26 @@ fn of_polar(
 }
 
 /// The side of a statement that is neither the name of its value nor another form of it: `Z^2`, `|Z|`, `Re(Z)`, `5`.
-fn unclear<'s>(values: &Values<'_>, sides: &'s [Part], last: &Part) -> Option<&'s Part> {
+fn unclear<'s>(
+    values: &Values<'_>,
+    sides: &'s [Part],
+    last: &Part,
+    asked: &Unit,
+) -> Option<&'s Part> {
     /// Forms of one number may be rounded.
     const SHARE: f64 = 0.01;
     let is_name = |side: &Part| values.is_name(side) && !values.passage(side).is_made_of_complex();
     let value = |side: &Part| number(values, side, Convention::Conventional).ok();
     let is_led = sides.first().is_some_and(is_name);
     sides.iter().enumerate().find_map(|(at, side)| {
+        // `1/(iΩC)` has letters of the question, no ohm and coulomb.
+        let is_of_letters = |unit: &Option<Unit>| {
+            let is_misfit = |unit: &Unit| unit.dimension() != asked.dimension();
+            at > 0 && is_led && unit.as_ref().is_some_and(is_misfit)
+        };
         let is_clear = is_name(side)
             || match (value(side), value(last)) {
+                (Some((_, unit, _)), _) if is_of_letters(&unit) => true,
                 (Some((own, ..)), Some((other, ..))) => (own - other).abs() <= SHARE * other.abs(),
                 (None, _) => at > 0 && is_led && !values.goes_on_in_words(side),
                 _ => false,
@@ -277,7 +288,10 @@ impl Numbers {
             }
             let mut sides = statement.sides;
             let last = sides.pop();
-            if let Some(side) = last.as_ref().and_then(|last| unclear(values, &sides, last)) {
+            if let Some(side) = last
+                .as_ref()
+                .and_then(|last| unclear(values, &sides, last, &self.unit))
+            {
                 return Err(Unreadable::at(values.passage(side), Why::UnclearSide));
             }
             parts.extend(last);

@@ -1,7 +1,7 @@
 //! Lists of numbers as people type them, and how they are marked: `5; 8.7 rad/s`, `0, ±180°`, `ω1 = 5, ω2 = 8.7`.
 
 use super::marker::Numbers;
-use super::read::{TypedNumber, number, statement};
+use super::read::{Setting, TypedNumber, number, statement};
 use super::target::{Typed, pair};
 use super::words::angles;
 use crate::answer::{Credit, Example, Marking, Remark, Slip, Unreadable, Why};
@@ -30,8 +30,9 @@ pub(crate) fn list(
     response: Passage<'_>,
     count: usize,
     is_ordered: bool,
-    mark: DecimalMark,
+    setting: Setting<'_>,
 ) -> Result<List, Unreadable> {
+    let mark = setting.mark;
     let values = parted(response, mark, false, count)?;
     if let Some(bracket) = values.lone_bracket() {
         return Err(Unreadable::at(bracket, Why::Formula(Trouble::Bracket)));
@@ -88,7 +89,7 @@ pub(crate) fn list(
             }
             named.push(name);
         }
-        let both = both_signs(&values, piece, pieces.len() == 1 && count == 2, mark)?;
+        let both = both_signs(&values, piece, pieces.len() == 1 && count == 2, setting)?;
         are_about_mean |= pieces.len() == 1 && both.len() == 2;
         items.extend(both.into_iter().map(|item| (label, item)));
     }
@@ -172,13 +173,16 @@ fn both_signs(
     values: &Values<'_>,
     piece: &Part,
     is_alone: bool,
-    mark: DecimalMark,
+    setting: Setting<'_>,
 ) -> Result<Vec<TypedNumber>, Unreadable> {
     let sides = values.statement(piece).sides;
     let signs = sides.last().and_then(|value| values.both_signs(value));
     match signs.filter(|(_, is_first)| *is_first || is_alone) {
-        Some((both, _)) => both.iter().map(|own| number(own.passage(), mark)).collect(),
-        None => Ok(vec![statement(values, piece)?]),
+        Some((both, _)) => both
+            .iter()
+            .map(|own| number(own.passage(), setting))
+            .collect(),
+        None => Ok(vec![statement(values, piece, setting)?]),
     }
 }
 

@@ -1,7 +1,9 @@
 //! Marks numbers: right, a named mistake, or a slip that can be diagnosed from the number alone.
 
+use std::sync::Arc;
+
 use super::list::{List, list};
-use super::read::{self, TypedNumber};
+use super::read::{self, Setting, TypedNumber};
 use super::slip::mixes_energy_and_moment;
 use super::target::{Target, Typed, pair};
 use super::words::{angles, counts, miswritten};
@@ -10,10 +12,10 @@ use crate::answer::{
     Answered, Band, Credit, Doubt, Echo, Key, KeyValue, Marker, Marking, Misfit, Mistaken, Note,
     Reading, Remark, Slip, Trial, Unreadable, Why,
 };
-use crate::expr::{Form, Shape};
+use crate::expr::{Constant, Expr, Form, Function, Kind, Operator, Shape};
 use crate::math::Math;
 use crate::numerics::Dd;
-use crate::response::{Passage, has_pi};
+use crate::response::{Lexicon, Passage, has_pi};
 use crate::unit::{Decimal, DecimalMark, Dimension, DimensionMismatch, Quantity, Unit};
 
 /// What a named mistake gives, in SI units.
@@ -40,6 +42,8 @@ pub(crate) struct Numbers {
     pub(crate) digits_penalty: Credit,
     pub(crate) digits: u32,
     pub(crate) mark: DecimalMark,
+    /// The letters of the question.
+    pub(crate) letters: Arc<Lexicon>,
     pub(crate) doubt: Doubt,
     pub(crate) targets: Vec<Target>,
     pub(crate) mistakes: Vec<Mistake>,
@@ -62,6 +66,13 @@ impl Mistake {
 }
 
 impl Numbers {
+    fn setting(&self) -> Setting<'_> {
+        Setting {
+            mark: self.mark,
+            letters: Some((&self.unit, &self.letters)),
+        }
+    }
+
     /// Distance of the nearest mistake that is another number than the key.
     fn nearest_mistake(&self) -> Option<f64> {
         let [target] = &self.targets[..] else {
@@ -296,9 +307,13 @@ impl Numbers {
         } else if fits(&number) {
             number.others.retain(fits);
         }
-        let has_pi = number.arithmetic.as_ref().is_some_and(has_pi);
-        if has_pi && number.quantity.unit.is_one() && self.unit == Unit::degree() {
-            number.quantity.unit = Unit::radian();
+        if number.quantity.unit.is_one() && self.unit == Unit::degree() {
+            let arithmetic = number.arithmetic.as_ref();
+            if arithmetic.is_some_and(has_pi) {
+                number.quantity.unit = Unit::radian();
+            } else if let Some(turned) = arithmetic.and_then(|own| in_degrees(own)) {
+                number = turned;
+            }
         }
         // Of `2π · 2 Hz` people mean the angular frequency of two cycles a second.
         let is_angular = self.unit.has_factor("rad") && self.unit.to_si(1.0) == 1.0;
@@ -382,9 +397,15 @@ impl Marker for Numbers {
 
     fn echo(&self, response: Passage<'_>) -> Result<Echo, Unreadable> {
         let items = if self.is_list {
-            list(response, self.targets.len(), self.is_ordered, self.mark)?.items
+            list(
+                response,
+                self.targets.len(),
+                self.is_ordered,
+                self.setting(),
+            )?
+            .items
         } else {
-            vec![read::number(response, self.mark)?]
+            vec![read::number(response, self.setting())?]
         };
         let items: Vec<TypedNumber> = items.into_iter().map(|item| self.meant(item)).collect();
         let otherwise: Vec<TypedNumber> = items.iter().map(TypedNumber::otherwise).collect();
@@ -394,7 +415,12 @@ impl Marker for Numbers {
 
     fn mark(&self, response: Passage<'_>) -> Marking {
         if self.is_list {
-            return match list(response, self.targets.len(), self.is_ordered, self.mark) {
+            return match list(
+                response,
+                self.targets.len(),
+                self.is_ordered,
+                self.setting(),
+            ) {
                 Ok(List {
                     items,
                     are_about_mean,
@@ -412,7 +438,7 @@ impl Marker for Numbers {
                 Err(why) => Marking::unreadable(why),
             };
         }
-        match read::number(response, self.mark) {
+        match read::number(response, self.setting()) {
             Ok(number) => {
                 let number = self.meant(number);
                 let other = number.otherwise();
@@ -487,6 +513,41 @@ impl Marker for Numbers {
     fn half_widths(&self) -> Vec<f64> {
         self.targets.iter().map(|target| target.half).collect()
     }
+}
+
+/// Arithmetic in which angles of arcs are terms, `180 - atan(2)`, with these in degrees as the numbers beside them are.
+fn in_degrees(arithmetic: &Expr) -> Option<TypedNumber> {
+    fn turned(expr: &Expr) -> Option<Expr> {
+        let is_arc = |function: &Function| {
+            matches!(
+                function,
+                Function::Asin | Function::Acos | Function::Atan | Function::Atan2
+            )
+        };
+        Some(match expr.kind() {
+            Kind::Call(function, _) if is_arc(function) => {
+                expr.clone() * Expr::number(180) / Expr::constant(Constant::Pi)
+            }
+            Kind::Negate(inner) => -turned(inner)?,
+            Kind::Binary(Operator::Add, left, right) => {
+                either(left, right, |left, right| left + right)?
+            }
+            Kind::Binary(Operator::Subtract, left, right) => {
+                either(left, right, |left, right| left - right)?
+            }
+            _ => return None,
+        })
+    }
+    fn either(left: &Expr, right: &Expr, join: impl Fn(Expr, Expr) -> Expr) -> Option<Expr> {
+        match (turned(left), turned(right)) {
+            (None, None) => None,
+            (own, other) => Some(join(
+                own.unwrap_or_else(|| left.clone()),
+                other.unwrap_or_else(|| right.clone()),
+            )),
+        }
+    }
+    TypedNumber::of_formula(turned(arithmetic)?, Unit::degree())
 }
 
 /// Values side by side with commas.

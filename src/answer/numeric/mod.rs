@@ -28,11 +28,15 @@ mod target;
 mod trial;
 mod words;
 
+use std::sync::Arc;
+
+use super::naming::letters_of_steps;
 use super::{
     Answer, AnswerError, Asked, Blank, Context, Credit, Declare, Marker, Tolerance, formula,
 };
 use crate::expr::{Field, Form, Shape, Type};
 use crate::quantity::{Absent, NodeId};
+use crate::response::Lexicon;
 use crate::source::{Table, Text};
 use crate::unit::{Quantity, Unit};
 
@@ -40,7 +44,7 @@ use self::marker::{Mistake, Numbers};
 use self::target::Target;
 
 pub(crate) use self::complex::complex_number;
-pub(crate) use self::read::{quantity, readings};
+pub(crate) use self::read::{are_one_value, quantity, readings};
 
 /// Significant figures in which one works at least.
 const MIN_FIGURES: u32 = 3;
@@ -68,6 +72,8 @@ struct Numeric {
     figures: u32,
     /// Significant figures in which the key is printed.
     digits: u32,
+    /// The letters of the question.
+    letters: Arc<Lexicon>,
 }
 
 /// Reads the keys of a part that belong to this kind; what is wrong is noted.
@@ -142,6 +148,7 @@ pub(crate) fn read(part: &Table<'_>, declare: &mut dyn Declare) -> Option<Box<dy
         figures: ask_digits.map_or(u32::from(declare.figures()), |digits| digits as u32),
         // What is asked for in more figures is printed in them.
         digits: u32::from(declare.digits_of(key)).max(ask_digits.map_or(0, |digits| digits as u32)),
+        letters: Arc::new(letters_of_steps(declare)),
     }))
 }
 
@@ -159,6 +166,7 @@ pub(crate) fn of_formula(
         tolerance: Tolerance::default(),
         figures: u32::from(declare.figures()),
         digits: u32::from(declare.digits_of(key)),
+        letters: Arc::new(letters_of_steps(declare)),
         formula: None,
         modulo: None,
         within: None,
@@ -312,6 +320,7 @@ impl Answer for Numeric {
             digits_penalty: self.digits_penalty,
             digits: self.digits,
             mark: context.mark,
+            letters: Arc::clone(&self.letters),
             doubt: context.doubt,
             targets,
             mistakes,

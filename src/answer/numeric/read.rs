@@ -4,7 +4,8 @@ use crate::answer::{Example, Unreadable, Why};
 use crate::expr::{Constant, Expr, Kind, Operator, PlainNotation};
 use crate::math::Math;
 use crate::response::{
-    Amount, Number as Typed, Part, Passage, Style, Trouble, TypedError, ValueTrouble, Values,
+    Amount, Lexicon, Manner, Number as Typed, Part, Passage, Style, Trouble, TypedError,
+    ValueTrouble, Values,
 };
 use crate::unit::{Decimal, DecimalMark, Dimension, Quantity, Unit};
 
@@ -36,6 +37,16 @@ impl TypedNumber {
             arithmetic,
             others: others.collect(),
             is_by_rule: amount.is_by_rule,
+        })
+    }
+
+    /// The number that a formula of numbers is in a unit.
+    pub(crate) fn of_formula(formula: Expr, unit: Unit) -> Option<Self> {
+        Self::of(&Amount {
+            number: Typed::Formula(formula),
+            unit,
+            others: Vec::new(),
+            is_by_rule: false,
         })
     }
 
@@ -120,14 +131,47 @@ fn has_pi_as_factor(formula: &Expr) -> bool {
     }
 }
 
+/// What is known of an item where numbers are read.
+#[derive(Clone, Copy)]
+pub(crate) struct Setting<'a> {
+    /// The decimal sign of the sheet.
+    pub(crate) mark: DecimalMark,
+    /// The unit that is asked for, and the letters of the question, which its steps may be written in.
+    pub(crate) letters: Option<(&'a Unit, &'a Lexicon)>,
+}
+
+impl Setting<'_> {
+    /// That of numbers which are derived from nothing.
+    pub(crate) fn of(mark: DecimalMark) -> Self {
+        Self {
+            mark,
+            letters: None,
+        }
+    }
+
+    /// Whether the units of a step are letters of the question: `2√(L/C)` is no litre where a resistance is asked for.
+    fn is_in_letters(&self, step: Passage<'_>, amount: &TypedNumber) -> bool {
+        let unit = &amount.quantity.unit;
+        self.letters.is_some_and(|(asked, lexicon)| {
+            let is_formula = || step.formula(lexicon, Manner::default());
+            !unit.is_one()
+                && unit.dimension() != asked.dimension()
+                && is_formula().is_ok_and(|formula| !formula.value.names().free.is_empty())
+        })
+    }
+}
+
 /// The number that a response is, beside its name and what it is said to equal.
 ///
 /// # Errors
 ///
 /// What cannot be read, and why.
-pub(crate) fn number(response: Passage<'_>, mark: DecimalMark) -> Result<TypedNumber, Unreadable> {
+pub(crate) fn number(
+    response: Passage<'_>,
+    setting: Setting<'_>,
+) -> Result<TypedNumber, Unreadable> {
     let style = Style {
-        mark,
+        mark: setting.mark,
         comma_is_decimal: true,
         is_complex: false,
     };
@@ -136,23 +180,27 @@ pub(crate) fn number(response: Passage<'_>, mark: DecimalMark) -> Result<TypedNu
     let all = values.all();
     let mut restated = values.statements(&all);
     if restated.len() > 1 {
-        return said_once(&values, &restated).ok_or_else(|| {
+        return said_once(&values, &restated, setting).ok_or_else(|| {
             Unreadable::at(response.short(), Why::Inequality).like(Example::OneValue)
         });
     }
     if let Some((value, inner)) = values.back_bracket(&all) {
         restated = vec![value, inner];
-        if let Some(number) = said_once(&values, &restated) {
+        if let Some(number) = said_once(&values, &restated, setting) {
             return Ok(number);
         }
     }
-    statement(&values, &all)
+    statement(&values, &all, setting)
 }
 
 /// The first of several statements that give one value, each in another unit: `0.314 (31.4 %)`, `2 Hz or 12.57 rad/s`.
-fn said_once(values: &Values<'_>, statements: &[Part]) -> Option<TypedNumber> {
+fn said_once(
+    values: &Values<'_>,
+    statements: &[Part],
+    setting: Setting<'_>,
+) -> Option<TypedNumber> {
     let read = |part: &Part| {
-        statement(values, part)
+        statement(values, part, setting)
             .ok()
             .filter(|number| number.others.is_empty())
     };
@@ -188,9 +236,16 @@ fn is_same_but_for_rounding(one: &TypedNumber, other: &TypedNumber) -> bool {
 }
 
 /// The number that a statement gives.
-pub(crate) fn statement(values: &Values<'_>, part: &Part) -> Result<TypedNumber, Unreadable> {
+pub(crate) fn statement(
+    values: &Values<'_>,
+    part: &Part,
+    setting: Setting<'_>,
+) -> Result<TypedNumber, Unreadable> {
     let statement = values.statement(part);
     if let Some(sign) = statement.unequal {
+        if let Some(number) = rightly_compared(values, part, setting) {
+            return Ok(number);
+        }
         return Err(Unreadable::at(sign.to_string(), Why::Inequality).like(Example::OneValue));
     }
     let sides = statement.sides;
@@ -208,10 +263,20 @@ pub(crate) fn statement(values: &Values<'_>, part: &Part) -> Result<TypedNumber,
     let others = sides.iter().enumerate();
     let is_name = |at: usize, side: &Part| at == 0 && is_named || values.is_name(side);
     for (at, side) in others.filter(|(at, side)| *at != value && !is_name(*at, side)) {
-        let is_between = 0 < at && at < value && is_named;
+        let is_step = 0 < at && at < value;
+        let is_between = is_step && is_named;
         let step = values.amount_of_step(side).ok();
         match step.as_ref().and_then(TypedNumber::of) {
-            Some(other) if are_equal(&number, &other) => {}
+            Some(other)
+                if are_equal(&number, &other)
+                    || other.others.iter().any(|other| are_equal(&number, other)) => {}
+            Some(other) if are_equal_in_si(&number, &other) => {
+                // `121 mm = 0.121` says its unit before.
+                if number.quantity.unit.is_one() {
+                    number = other;
+                }
+            }
+            Some(other) if is_step && setting.is_in_letters(values.passage(side), &other) => {}
             Some(_) => {
                 let (one, other) = (values.passage(side), values.passage(&sides[value]));
                 return Err(Why::UnequalSides(one.short(), other.short()).into());
@@ -226,6 +291,25 @@ pub(crate) fn statement(values: &Values<'_>, part: &Part) -> Result<TypedNumber,
         }
     }
     Ok(number)
+}
+
+/// The value that is compared with a number that is rightly less or greater, `ζ = 0.285 < 1`.
+fn rightly_compared(values: &Values<'_>, part: &Part, setting: Setting<'_>) -> Option<TypedNumber> {
+    let (value, sign, other) = values.compared(part)?;
+    let number = statement(values, &value, setting).ok()?;
+    let other = amount(values, &other).ok()?.quantity;
+    let own = number.quantity;
+    let difference = if other.unit.is_one() {
+        own.value.to_f64() - other.value.to_f64()
+    } else {
+        own.si() - other.si_for(&own.unit).ok()?
+    };
+    let is_right = if sign == '<' {
+        difference < 0.0
+    } else {
+        difference > 0.0
+    };
+    is_right.then_some(number)
 }
 
 /// The number that a part is.
@@ -281,7 +365,7 @@ pub(crate) fn readings(
     response: Passage<'_>,
     mark: DecimalMark,
 ) -> Result<(Quantity, Vec<Quantity>), Unreadable> {
-    let number = number(response, mark)?;
+    let number = number(response, Setting::of(mark))?;
     let others = number.others.iter().map(|other| other.quantity);
     Ok((number.quantity, others.collect()))
 }
@@ -292,10 +376,29 @@ pub(crate) fn readings(
 ///
 /// As for [`number`].
 pub(crate) fn quantity(response: Passage<'_>, mark: DecimalMark) -> Result<Quantity, Unreadable> {
-    let number = number(response, mark)?;
+    let number = number(response, Setting::of(mark))?;
     match number.question(mark) {
         Some(question) => Err(question),
         None => Ok(number.quantity),
+    }
+}
+
+/// Whether a side without a unit is the other one in SI units, as `0.0142 = 14.2 mm`.
+fn are_equal_in_si(one: &TypedNumber, other: &TypedNumber) -> bool {
+    let (a, b) = (&one.quantity.unit, &other.quantity.unit);
+    let in_si = |number: &TypedNumber, unit: &Unit| match number.quantity.unit.is_one() {
+        true => number.clone().with_unit(unit.coherent()),
+        false => number.clone(),
+    };
+    a.is_one() != b.is_one() && are_equal(&in_si(one, b), &in_si(other, a))
+}
+
+/// Whether two sides say the same value, whatever each stands for.
+pub(crate) fn are_one_value(one: Passage<'_>, other: Passage<'_>, mark: DecimalMark) -> bool {
+    let read = |side| number(side, Setting::of(mark)).ok();
+    match (read(one), read(other)) {
+        (Some(one), Some(other)) => are_equal(&one, &other) || are_equal_in_si(&one, &other),
+        _ => false,
     }
 }
 

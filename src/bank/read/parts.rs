@@ -36,6 +36,11 @@ impl<'s> ItemReader<'s> {
             }
         }
         self.old_ids(&parts);
+        // Only now it is known what else is asked for.
+        for part in &mut parts {
+            let answer = &part.answer;
+            part.naming = Naming::of(self, answer.kind(), &answer.keys(), answer.unit());
+        }
         parts
     }
 
@@ -164,9 +169,6 @@ impl<'s> ItemReader<'s> {
         table.value("space");
         self.introduce(&table);
         let mut answer = kind.read(&table, self);
-        let naming = answer
-            .as_ref()
-            .map(|answer| Naming::of(self, kind, &answer.keys(), answer.unit()));
         let mistakes = match &mut answer {
             Some(answer) => {
                 // A count that was asked is no letter that one would write.
@@ -199,7 +201,7 @@ impl<'s> ItemReader<'s> {
             ask: ask?,
             answer: answer?,
             blank: OnceLock::new(),
-            naming: naming?,
+            naming: Naming::default(),
             points,
             when,
             hints,
