@@ -1,8 +1,8 @@
 //! Functions and roots, with brackets and without.
 
-use super::parser::{Parser, Result, number};
+use super::parser::{Parser, Result, has_unit, is_time, number, uses_time};
 use super::signs::DECIMAL;
-use super::token::Item;
+use super::token::{Item, Token};
 use super::vocabulary::Powered;
 use super::{Trouble, TypedError};
 use vibank_dynamics::numerics::Rational;
@@ -136,7 +136,46 @@ impl Parser<'_> {
             let argument = self.goes_on_bare(first, false, is_root)?;
             return Self::counted(function, vec![argument], open);
         }
-        Self::counted(function, self.listed()?, open)
+        let mut arguments = self.listed()?;
+        // `cos(ω_n) t`, where only so it makes sense.
+        if let [argument] = &arguments[..]
+            && function != Function::Sqrt
+            && let Some(end) = self.end_at_time(argument)
+            && self.ways.choose(false)
+        {
+            arguments = vec![self.times(argument.clone(), end)?];
+        }
+        Self::counted(function, arguments, open)
+    }
+
+    /// Where a product of letters and numbers goes on to the time, with signs or without, behind an argument that does
+    /// not have it: `cos ω_n·t`, `cos 2π·f·t`.
+    fn end_at_time(&self, argument: &Expr) -> Option<usize> {
+        if uses_time(argument) || has_unit(argument) {
+            return None;
+        }
+        let is_sign = |token: &Token| token.item == Item::Sign('*');
+        let mut at = self.at;
+        loop {
+            at += usize::from(self.tokens.get(at).is_some_and(is_sign));
+            let token = self.tokens.get(at)?;
+            match token.item {
+                _ if is_time(token) => return Some(at + 1),
+                Item::Leaf(_) | Item::Number(_) | Item::Power(_) => at += 1,
+                _ => return None,
+            }
+        }
+    }
+
+    /// An argument times what stands before a place, with signs or without.
+    fn times(&mut self, argument: Expr, end: usize) -> Result<Expr> {
+        let mut argument = argument;
+        while self.at < end {
+            self.take('*');
+            let factor = self.power()?;
+            argument = Self::binary(Operator::Multiply, argument, factor)?;
+        }
+        Ok(argument)
     }
 
     /// Whether a brace opens here right around a bracket, as in `\operatorname{atan2}{(y, x)}`.
@@ -279,10 +318,18 @@ impl Parser<'_> {
             let factor = self.power()?;
             argument = Self::binary(Operator::Multiply, argument, factor)?;
         }
+        // `cos ω_n·t`: a sign of times ends an argument, but before the time that it lacks.
+        if !is_root
+            && self.is_sign('*')
+            && let Some(end) = self.end_at_time(&argument)
+            && self.ways.choose(true)
+        {
+            argument = self.times(argument, end)?;
+        }
         while self.is_sign('/')
             && self.is_tight()
             // `√50/√2` is a quotient of roots.
-            && !matches!(self.tokens.get(self.at + 1).map(|next| &next.item), Some(Item::Root | Item::Radical))
+            && !(is_root && matches!(self.tokens.get(self.at + 1).map(|next| &next.item), Some(Item::Root | Item::Radical)))
             && self.ways.choose(false)
         {
             self.at += 1;

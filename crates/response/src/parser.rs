@@ -388,9 +388,21 @@ impl<'a> Parser<'a> {
             let factor = self.power()?;
             exponent = Self::binary(Operator::Multiply, exponent, factor)?;
         }
-        let is_open = is_exponential && !exponent.names().uses(&Name::new("t"));
-        if is_open && self.tokens.get(self.at).is_some_and(is_time) {
-            // `e^-λ t`: by the rule the time is no part of it, as most people mean it is.
+        // `e^-ct/2m`, where only so it makes sense.
+        if is_exponential
+            && uses_time(&exponent)
+            && self.is_sign('/')
+            && self.is_tight()
+            && self.ways.choose(false)
+        {
+            self.at += 1;
+            let divisor = self.divisor(&exponent)?;
+            exponent = Self::binary(Operator::Divide, exponent, divisor)?;
+        }
+        let next = self.at + usize::from(self.is_sign('*'));
+        let is_open = is_exponential && !uses_time(&exponent);
+        if is_open && self.tokens.get(next).is_some_and(is_time) {
+            // `e^-λ t` and `e^-λ·t`: by the rule the time is no part of it, as most people mean it is.
             return self.error(Trouble::Exponent);
         }
         if !is_closed && self.begins_fraction(&exponent) {
@@ -414,6 +426,11 @@ impl<'a> Parser<'a> {
         // `e^-λ t`.
         self.is_tight() || matches!(self.item(), Some(Item::Leaf(_))) && self.ways.choose(false)
     }
+        // `e^-5t(2 + t)`, `e^-5tcos 3t`: an exponent that has the time in it is whole, since nobody means one that
+        // oscillates.
+        if matches!(self.item(), Some(Item::Sign(_) | Item::Function(_))) {
+            return self.is_tight() && self.ways.choose(!uses_time(exponent));
+        }
 
     /// Whether a number goes on as a fraction that is not whole: after it a slash and a number, without a space.
     fn begins_fraction(&self, above: &Expr) -> bool {
@@ -576,7 +593,7 @@ impl<'a> Parser<'a> {
 }
 
 /// Whether this is the time.
-fn is_time(token: &Token) -> bool {
+pub(crate) fn is_time(token: &Token) -> bool {
     let Item::Leaf(leaf) = &token.item else {
         return false;
     };
@@ -585,10 +602,15 @@ fn is_time(token: &Token) -> bool {
 
 pub(crate) fn number(value: i128) -> Kind {
     Kind::Number(Rational::new(value, 1).unwrap_or(Rational::ZERO))
+/// Whether the time stands in a formula.
+pub(crate) fn uses_time(expr: &Expr) -> bool {
+    expr.names().uses(&Name::new("t"))
+}
+
 }
 
 /// Whether a unit stands in a formula.
-fn has_unit(expr: &Expr) -> bool {
+pub(crate) fn has_unit(expr: &Expr) -> bool {
     let mut is_there = false;
     expr.walk(&mut |node| is_there |= matches!(node.kind(), Kind::Measure(..)));
     is_there

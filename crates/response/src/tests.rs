@@ -347,6 +347,15 @@ fn what_may_be_meant_otherwise_has_other_readings() {
         ("√x²", "sqrt(x^2)", &[]),
         ("cosθ l", "cos(theta*l)", &["cos(theta)*l"]),
         ("e^-k m", "e^(-k)*m", &["e^(-(k*m))"]),
+        ("k cos x·t", "k*cos(x*t)", &["k*cos(x)*t"]),
+        ("k cos x·m", "k*cos(x)*m", &[]),
+        ("k cos(x) t", "k*cos(x)*t", &["k*cos(x*t)"]),
+        (
+            "e^-kt(m + x)",
+            "e^(-(k*t))*(m + x)",
+            &["e^(-(k*t*(m + x)))"],
+        ),
+        ("e^-k(m + x)", "e^(-(k*(m + x)))", &["e^(-k)*(m + x)"]),
     ] {
         let typed = formula(text, &lexicon(), MANNER).unwrap();
         let of = |text: &str| Expr::read(text).unwrap().to_string();

@@ -193,6 +193,17 @@ impl Prepared<'_> {
                     Trouble::Value(ValueTrouble::UnitOfOne | ValueTrouble::Units)
                 );
                 return has_no_common.then(|| Err(Why::UnitOfTerms.into()));
+        // `q0 cos t/√(LC)` makes sense in one way only, down to what stands in its waves.
+        let makes_sense = |expr: &Expr| {
+            let found = expr.check(&self.setup.meaning).ok();
+            let dimension = found.and_then(|kind| kind.dimension());
+            self.has_data(expr) && dimension.is_some() && dimension == self.setup.kind.dimension()
+        };
+        if !makes_sense(&typed.value)
+            && let Some(other) = typed.others.iter().find(|other| makes_sense(other))
+        {
+            return other.clone();
+        }
             }
         };
         let is_own = |unit: &Unit| unit.dimension() == own.dimension();
