@@ -1,8 +1,10 @@
 //! Words, remarks and reasons after an answer.
 
-use crate::letters::greek_word;
+use crate::letters::{combining, greek_word};
 use crate::signs::is_apostrophe;
+use crate::vocabulary::ALIASES;
 use crate::words::{ASIDES, REASONS, SEALS, TRAILS, TURNING};
+use vibank_formula::expr::Function;
 use vibank_formula::unit::Unit;
 use vibank_source::lower;
 
@@ -99,9 +101,10 @@ fn aside(text: &str) -> Option<usize> {
         !word.is_empty()
             && letters.all(|char| char.is_alphabetic() || char == '-' || is_apostrophe(char))
     };
+    // `(sin θ - μ cos θ sign ẋ)` is a factor.
     let is_no_letter = |word: &str| {
         word.chars().filter(|char| char.is_alphabetic()).count() >= MIN_LETTERS
-            && greek_word(&lower(word)).is_none()
+            && !is_of_formula(&lower(word))
             && Unit::read(word).is_err()
             && Unit::read(&lower(word)).is_err()
     };
@@ -123,6 +126,33 @@ fn ends_in_value(text: &str) -> bool {
         || text
             .rsplit_once(' ')
             .is_some_and(|(number, unit)| is_number(number.trim_end()) && Unit::read(unit).is_ok())
+}
+
+/// Whether a word of small letters is one of a formula: a letter by its name, a function of a letter, a letter with dots.
+fn is_of_formula(word: &str) -> bool {
+    // A letter with its index is longer, but then it is rarely written without a sign.
+    const MAX_ARGUMENT: usize = 3;
+    let is_letter = |word: &str| {
+        let stem = word.strip_suffix("dot").unwrap_or(word);
+        let stem = stem.strip_suffix('d').unwrap_or(stem);
+        let is_dotted =
+            stem.len() < word.len() || word.chars().any(|char| combining(char).is_some());
+        greek_word(word).is_some()
+            || greek_word(stem).is_some()
+            || is_dotted && stem.len() <= MAX_ARGUMENT
+    };
+    let is_call = |name: &str| {
+        let argument = word.strip_prefix(name);
+        let is_short = |own: &str| {
+            let count = own.chars().count();
+            count < 2 || count <= MAX_ARGUMENT && !own.is_ascii()
+        };
+        argument.is_some_and(|own| is_short(own) || is_letter(own))
+    };
+    let mut names = Function::all()
+        .map(Function::name)
+        .chain(ALIASES.iter().map(|(name, _)| *name));
+    is_letter(word) || names.any(is_call)
 }
 
 /// The length of what says to how many figures an answer is given: `to 3 s.f.`, `to 3 significant figures`.
