@@ -1,6 +1,6 @@
 //! Time derivatives as quotients of differentials, `dx/dt`, `\frac{d^2 x}{dt^2}`, and as functions, `diff(x, t, 2)`.
 
-use super::letters::{Letters, greek_word};
+use super::letters::{Letters, combining, dotted, greek_word};
 use vibank_formula::work;
 
 /// Reads a quotient of differentials at a place: spelling of the name, order, end.
@@ -10,7 +10,7 @@ pub(crate) fn leibniz(text: &str, at: usize) -> Option<(String, u8, usize)> {
     if scanner.take("(") {
         scanner.differential()?;
         let order = scanner.order();
-        let spelling = scanner.name()?;
+        let (spelling, own) = scanner.name()?;
         let is_whole = scanner.take(")")
             && scanner.take("/")
             && scanner.take("(")
@@ -18,16 +18,27 @@ pub(crate) fn leibniz(text: &str, at: usize) -> Option<(String, u8, usize)> {
             && scanner.take("t")
             && scanner.order() == order
             && scanner.take(")");
-        return is_whole.then_some((spelling, order, scanner.at));
+        return is_whole.then_some((spelling, order + own, scanner.at));
     }
     let is_fraction = scanner.fraction();
     scanner.differential()?;
     let order = scanner.order();
-    let spelling = scanner.name()?;
+    let (spelling, own) = scanner.name()?;
     scanner.over_time(is_fraction, order)?;
     let goes_on = scanner.text[scanner.at..]
         .starts_with(|next: char| next.is_ascii_alphanumeric() || next == '_');
-    (!goes_on || is_fraction).then_some((spelling, order, scanner.at))
+    (!goes_on || is_fraction).then_some((spelling, order + own, scanner.at))
+}
+
+/// Where the operator of a time derivative ends that begins at a place and comes before a bracket, `d/dt (m x')`.
+pub(crate) fn operator(text: &str, at: usize) -> Option<usize> {
+    let mut scanner = Differentials { text, at };
+    let is_fraction = scanner.fraction();
+    scanner.differential()?;
+    scanner.over_time(is_fraction, 1)?;
+    let behind = text[scanner.at..].trim_start();
+    let behind = behind.strip_prefix("\\left").unwrap_or(behind);
+    behind.starts_with(['(', '[']).then_some(scanner.at)
 }
 
 /// Reads a derivative whose name comes after the quotient, `d/dt(x)`, `\frac{d}{dt}\left(\frac{dx}{dt}\right)`,
@@ -73,14 +84,45 @@ pub(crate) fn behind(text: &str, at: usize) -> Option<(String, u8, usize)> {
     };
     let (spelling, inner_order) = match leibniz(inner, 0) {
         Some((spelling, own, length)) if length == inner.len() => (spelling, own),
-        _ => (spelling(inner)?, 0),
+        _ => dotted_spelling(inner)?,
     };
     let order = order + inner_order;
     (order <= MAX_ORDER).then_some((spelling, order, end))
 }
 
+/// The spelling of a name that may have dots or primes of its own, `x'`, `\dot x`, and how many.
+fn dotted_spelling(name: &str) -> Option<(String, u8)> {
+    let name = name.trim();
+    let commands = [("\\ddot", 2), ("\\dot", 1)];
+    if let Some((inner, order)) = commands
+        .iter()
+        .find_map(|(command, order)| Some((name.strip_prefix(command)?, *order)))
+    {
+        let inner = inner.trim().trim_start_matches('{').trim_end_matches('}');
+        return Some((spelling(inner)?, order));
+    }
+    let name = name
+        .strip_prefix('(')
+        .and_then(|name| name.strip_suffix(')'))
+        .unwrap_or(name);
+    let bare = name.trim_end_matches('\'');
+    let mut order = u8::try_from(name.len() - bare.len()).ok()?;
+    let mut plain = String::new();
+    for char in bare.chars() {
+        match (dotted(char), combining(char)) {
+            (Some((letter, dots)), _) => {
+                plain.push(letter);
+                order += dots;
+            }
+            (None, Some(dots)) => order += dots,
+            (None, None) => plain.push(char),
+        }
+    }
+    Some((spelling(&plain)?, order))
+}
+
 /// The spelling of a name, `x_1`, `\theta`, `x(t)`.
-fn spelling(name: &str) -> Option<String> {
+pub(crate) fn spelling(name: &str) -> Option<String> {
     let name = name.trim();
     let bracketed = name
         .strip_prefix('(')
@@ -254,8 +296,8 @@ impl Differentials<'_> {
         if is_second { 2 } else { 1 }
     }
 
-    /// A name up to the slash, brace or bracket.
-    fn name(&mut self) -> Option<String> {
+    /// A name up to the slash, brace or bracket, and its own dots.
+    fn name(&mut self) -> Option<(String, u8)> {
         // Each `d` of a response is tried as the beginning of a derivative: without a bound each would be
         // read to the end.
         const MAX_LENGTH: usize = 80;
@@ -273,8 +315,8 @@ impl Differentials<'_> {
             char => matches!(char, '/' | '}' | ')'),
         };
         let (end, _) = rest.char_indices().take(MAX_LENGTH).find(is_end)?;
-        let spelling = spelling(&rest[..end])?;
+        let found = dotted_spelling(&rest[..end])?;
         self.at += end;
-        Some(spelling)
+        Some(found)
     }
 }

@@ -1,15 +1,18 @@
 //! From the [folded](super::Folded) signs of a response to tokens, its runs of letters split into words.
 
-use super::differential::{behind, called, leibniz, method};
+use std::collections::BTreeSet;
+use std::sync::Arc;
+
+use super::differential::{behind, called, leibniz, method, operator};
 use super::digits::fraction;
-use super::letters::{Letters, combining, dotted, greek, greek_word};
+use super::letters::{Letters, combining, dotted, greek, greek_word, sign_in_subscript};
 use super::signs::MIDDLE_POINT;
 use super::token::{Item, Token};
 use super::vocabulary::{INITIAL, Powered, WordPiece, WordSense};
 use super::words::MODULES;
 use super::{Lexicon, Manner, Trouble, TypedError};
-use vibank_dynamics::numerics::Rational;
-use vibank_formula::expr::{Constant, Expr, Function};
+use vibank_dynamics::numerics::{Rational, gather};
+use vibank_formula::expr::{Constant, Expr, Function, Name};
 use vibank_formula::unit::Unit;
 use vibank_formula::work;
 use vibank_source::Span;
@@ -606,15 +609,15 @@ impl Lexer<'_> {
             return false;
         }
         let Some((leaf, end)) = self.differential_quotient() else {
-            return false;
+            return self.operator();
         };
-        let start = self.at;
         self.at = end;
         self.push(Item::Leaf(leaf), start);
         true
     }
 
     fn differential_quotient(&self) -> Option<(Expr, usize)> {
+        let start = self.at;
         let found = leibniz(self.text, self.at)
             .or_else(|| behind(self.text, self.at))
             .or_else(|| {
@@ -624,6 +627,16 @@ impl Lexer<'_> {
             .or_else(|| method(self.text, self.at));
         let (spelling, order, end) = found?;
         Some((self.lexicon.dotted(&spelling, order)?, end))
+    /// `d/dt (m x')`; whether the operator stands here.
+    fn operator(&mut self) -> bool {
+        let moving: BTreeSet<Name> = gather(self.lexicon.moving_names().cloned());
+        let end = operator(self.text, self.at).filter(|_| !moving.is_empty());
+        if let Some(end) = end {
+            self.take(end - self.at, Item::Rate(Arc::new(moving)));
+        }
+        end.is_some()
+    }
+
     }
 }
 

@@ -4,7 +4,9 @@ use super::token::{Item, Token};
 use super::ways::Ways;
 use super::{Chain, MAX_DEPTH, Trouble, TypedError, ValueTrouble};
 use vibank_dynamics::numerics::Rational;
-use vibank_formula::expr::{Constant, Expr, Function, Kind, Name, Operator, Relation};
+use vibank_formula::expr::{
+    Constant, Expr, Function, Kind, Name, Operator, Relation, time_derivative,
+};
 use vibank_formula::unit::Unit;
 use vibank_source::Span;
 
@@ -328,6 +330,7 @@ impl<'a> Parser<'a> {
                 | Item::Radical
                 | Item::Fraction
                 | Item::Bar
+                | Item::Rate(_)
                 | Item::Unit(_),
             ) => true,
             _ => false,
@@ -384,7 +387,7 @@ impl<'a> Parser<'a> {
         let mut exponent = self.power()?;
         // `e^iωt` has all of it in the exponent.
         let is_exponential = *base.kind() == Kind::Constant(Constant::E) && !is_closed;
-        while is_exponential && self.goes_on_in_exponent() {
+        while is_exponential && self.goes_on_in_exponent(&exponent) {
             let factor = self.power()?;
             exponent = Self::binary(Operator::Multiply, exponent, factor)?;
         }
@@ -418,19 +421,19 @@ impl<'a> Parser<'a> {
     }
 
     /// Whether the exponent of e goes on, as in `e^iωt`, `e^i2t`.
-    fn goes_on_in_exponent(&mut self) -> bool {
+    fn goes_on_in_exponent(&mut self, exponent: &Expr) -> bool {
         let is_number = matches!(self.item(), Some(Item::Number(_)));
         if !(self.begins_factor() || is_number && self.is_after_imaginary_unit()) {
             return false;
         }
-        // `e^-λ t`.
-        self.is_tight() || matches!(self.item(), Some(Item::Leaf(_))) && self.ways.choose(false)
-    }
         // `e^-5t(2 + t)`, `e^-5tcos 3t`: an exponent that has the time in it is whole, since nobody means one that
         // oscillates.
         if matches!(self.item(), Some(Item::Sign(_) | Item::Function(_))) {
             return self.is_tight() && self.ways.choose(!uses_time(exponent));
         }
+        // `e^-λ t`.
+        self.is_tight() || matches!(self.item(), Some(Item::Leaf(_))) && self.ways.choose(false)
+    }
 
     /// Whether a number goes on as a fraction that is not whole: after it a slash and a number, without a space.
     fn begins_fraction(&self, above: &Expr) -> bool {
@@ -482,6 +485,13 @@ impl<'a> Parser<'a> {
                 let above = parser.argument_of_command()?;
                 let below = parser.argument_of_command()?;
                 Self::binary(Operator::Divide, above, below)
+            }),
+            Item::Rate(moving) => self.deeper(|parser| {
+                let inner = parser.primary()?;
+                time_derivative(&inner, moving).map_err(|_| TypedError {
+                    trouble: Trouble::Sign,
+                    span,
+                })
             }),
             Item::Sign('|') => self.deeper(|parser| {
                 let outside = parser.bars;
@@ -592,6 +602,11 @@ impl<'a> Parser<'a> {
     }
 }
 
+/// Whether the time stands in a formula.
+pub(crate) fn uses_time(expr: &Expr) -> bool {
+    expr.names().uses(&Name::new("t"))
+}
+
 /// Whether this is the time.
 pub(crate) fn is_time(token: &Token) -> bool {
     let Item::Leaf(leaf) = &token.item else {
@@ -602,11 +617,6 @@ pub(crate) fn is_time(token: &Token) -> bool {
 
 pub(crate) fn number(value: i128) -> Kind {
     Kind::Number(Rational::new(value, 1).unwrap_or(Rational::ZERO))
-/// Whether the time stands in a formula.
-pub(crate) fn uses_time(expr: &Expr) -> bool {
-    expr.names().uses(&Name::new("t"))
-}
-
 }
 
 /// Whether a unit stands in a formula.

@@ -1,9 +1,12 @@
 //! Tokens: the pieces of a response with their places.
 
+use std::collections::BTreeSet;
+use std::sync::Arc;
+
 use super::TypedError;
 use super::vocabulary::Powered;
 use vibank_dynamics::numerics::Rational;
-use vibank_formula::expr::{Expr, Function};
+use vibank_formula::expr::{Expr, Function, Name};
 use vibank_formula::unit::{Decimal, Unit};
 use vibank_source::Span;
 
@@ -32,6 +35,8 @@ pub(crate) enum Item {
     Radical,
     /// `\frac`.
     Fraction,
+    /// The operator of a time derivative before a bracket, `d/dt (m x')`, and what moves with time.
+    Rate(Arc<BTreeSet<Name>>),
     /// `°`.
     Degree,
     /// An operator, bracket or other sign.
