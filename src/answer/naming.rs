@@ -24,6 +24,7 @@ pub(crate) struct Naming {
     is_of_time: bool,
     /// Letters that the item does not know and that say something else by the custom of the field.
     customary: Vec<&'static str>,
+    is_formula: bool,
     is_matrix: bool,
     is_shape: bool,
     /// Symbols that are not names, `V(π)`, `x₃/x`, `cos θ`: as they can be typed, with the names that stand for them.
@@ -59,6 +60,7 @@ impl Naming {
         let dimension = declare.graph().kind(*key).and_then(expr::Type::dimension);
         let mut naming = Self {
             customary: customary(kind, &asked, dimension, unit),
+            is_formula: kind == AnswerKind::Formula,
             is_matrix: kind == AnswerKind::Matrix && !asked.is_empty(),
             is_shape: kind == AnswerKind::ModeShape,
             is_of_time: [Dimension::TIME, Dimension::TIME.inverse()]
@@ -143,13 +145,25 @@ impl Naming {
         if says_nothing && self.customary.is_empty() {
             return Ok(());
         }
-        match response
-            .labels()
+        match self
+            .labels(response)
             .into_iter()
             .find(|own| self.is_of_another(*own))
         {
             Some(label) => Err(Unreadable::at(label, Why::OtherQuantity)),
             None => Ok(()),
+        }
+    }
+
+    /// What stands before the equals signs of the statements of a response that may be its answer: a formula may have
+    /// other statements beside it that say what its letters are.
+    fn labels<'t>(&self, response: Passage<'t>) -> Vec<Passage<'t>> {
+        let stated = response.stated(|label| self.is_of_asked(label));
+        match stated {
+            Ok(stated) if self.is_formula && stated.has_others() => {
+                stated.label().into_iter().collect()
+            }
+            _ => response.labels(),
         }
     }
 

@@ -58,6 +58,42 @@ impl Lexicon {
         lexicon
     }
 
+    /// The same with more names, which move with time.
+    #[must_use]
+    pub(crate) fn with_moving(&self, names: impl Iterator<Item = Name>) -> Self {
+        let mut lexicon = Self {
+            entries: self.entries.clone(),
+            symbols: self.symbols.clone(),
+            moving: self.moving.clone(),
+            words: OnceLock::new(),
+        };
+        for name in names {
+            let own = self.symbols.get(&name).cloned();
+            let own = own.unwrap_or_else(|| Arc::new(symbol(name.as_str())));
+            lexicon.allow(&name, own, true);
+        }
+        lexicon
+    }
+
+    /// The name of this spelling that may not be used, by itself or as it is printed.
+    pub(crate) fn forbidden(&self, spelling: &str) -> Option<&Name> {
+        let is_it = |name: &Name| {
+            let printed = self.symbols.get(name).map(|own| own.plain());
+            let spellings = [Some(name.as_str()), printed.as_deref()];
+            let mut spellings = spellings.into_iter().flatten();
+            spellings.any(|own| Letters::spelling(own).as_deref() == Some(spelling))
+        };
+        self.entries.iter().find_map(|entry| match entry {
+            LexiconEntry::Forbidden(name) => Some(name).filter(|name| is_it(name)),
+            LexiconEntry::Allowed(..) => None,
+        })
+    }
+
+    /// The names that move with time.
+    pub(crate) fn moving_names(&self) -> impl Iterator<Item = &Name> {
+        self.moving.iter()
+    }
+
     /// Adds a name of the item that the answer may not use, so that it can be said.
     pub fn forbid(&mut self, name: &Name) {
         self.add(LexiconEntry::Forbidden(name.clone()));

@@ -74,6 +74,7 @@ mod relation;
 mod reworded;
 mod sides;
 mod signs;
+mod stated;
 mod surroundings;
 mod token;
 mod values;
@@ -97,6 +98,7 @@ pub use phrase::Phrase;
 pub use pieces::FunctionPiece;
 pub use ranges::{Bounding, Condition, Group, RangeError, Ranges, Said};
 pub use reworded::Reworded;
+pub use stated::Stated;
 pub use surroundings::{behind_arrow, withdrawn};
 pub use values::{Part, Style, Values};
 
@@ -172,7 +174,18 @@ pub(crate) fn formula(
 ) -> Result<Typed<Expr>, TypedError> {
     let sides = sides::sides(text, lexicon)?;
     let place = sides.last().map_or(0..text.len(), |side| side.range());
-    read(text, place.start, place.end, lexicon, manner, |parser| {
+    formula_at(text, place.start, place.end, lexicon, manner)
+}
+
+/// The formula that a part of a text is; its places count in the whole text.
+pub(crate) fn formula_at(
+    text: &str,
+    from: usize,
+    to: usize,
+    lexicon: &Lexicon,
+    manner: Manner,
+) -> Result<Typed<Expr>, TypedError> {
+    read(text, from, to, lexicon, manner, |parser| {
         parser.whole_formula()
     })
 }

@@ -8,6 +8,7 @@ use super::measured::{self, Measured};
 use super::naming;
 use super::pieces::{self, FunctionPiece};
 use super::reworded::{self, Reworded};
+use super::stated::{self, Stated};
 use super::{
     Chain, Lexicon, Manner, Phrase, Typed, TypedError, components, distance, equated, equations,
     free_letters, list, relation, sides, words,
@@ -157,10 +158,29 @@ impl<'t> Passage<'t> {
         Ok(sides.map(|side| self.part(side)).collect())
     }
 
+    /// Its statements, of which the one counts that `answers`, by what stands before its equals sign.
+    ///
+    /// # Errors
+    ///
+    /// Where it is not clear which of them counts.
+    pub fn stated(self, answers: impl Fn(Self) -> bool) -> Result<Stated<'t>, TypedError> {
+        Stated::of(self.0, answers)
+    }
+
     /// What stands between its equals signs, the symbol before the first one among them.
     pub fn statement(self) -> Vec<Self> {
         let sides = sides::statement(self.0).into_iter();
         sides.map(Self::of).collect()
+    }
+
+    /// The equations among its statements, in which others say what letters are, or the custom of the field does:
+    /// `m a + k x = 0 with a = x''`. None where nothing is said beside it.
+    pub fn defined_chains(
+        self,
+        lexicon: &Lexicon,
+        manner: Manner,
+    ) -> Option<Result<Vec<Typed<Chain>>, TypedError>> {
+        stated::defined_chains(self.0, lexicon, manner)
     }
 
     /// Its equations, cut at semicolons, line ends, and commas or `and` between equations.

@@ -126,6 +126,13 @@ pub(crate) fn statement(text: &str) -> Vec<&str> {
     pieces.map(|piece| text[piece.range()].trim()).collect()
 }
 
+/// The sides of the equals signs of a text; empty ones are left out.
+pub(crate) fn equal_sides(text: &str) -> Vec<Span> {
+    let sides = cut_at_equals(text).into_iter();
+    let sides = sides.map(|side| trimmed(text, side));
+    sides.filter(|side| !side.range().is_empty()).collect()
+}
+
 /// What comes after the last equals sign.
 pub(crate) fn last_side(text: &str) -> Span {
     cut_at_equals(text)
@@ -216,7 +223,7 @@ const MARKS: &[&str] = &[
 ];
 
 /// A text without what comes after a symbol, `(t)`, `(0)`, `[rad/s]`.
-fn without_arguments(text: &str) -> &str {
+pub(crate) fn without_arguments(text: &str) -> &str {
     let open = text.find(['(', '[']).filter(|open| *open > 0);
     let Some(open) = open.filter(|_| text.ends_with([')', ']'])) else {
         return text;
@@ -230,7 +237,7 @@ fn without_arguments(text: &str) -> &str {
 }
 
 /// Whether a text is written as one name is.
-fn is_word(text: &str) -> bool {
+pub(crate) fn is_word(text: &str) -> bool {
     let is_command = text.contains('\\') && !text.contains("frac") && !text.contains("sqrt");
     let is_of_name = |char: char| {
         char.is_alphabetic()
@@ -246,7 +253,7 @@ fn is_word(text: &str) -> bool {
 }
 
 /// `sqrt(k)`, and `tanθ` where θ is no name of the question.
-fn begins_with_function(text: &str) -> bool {
+pub(crate) fn begins_with_function(text: &str) -> bool {
     let is_begun = |function: Function| {
         let name = function.name();
         name.len() > 2 && function.arity().1 == 1 && text.starts_with(name)

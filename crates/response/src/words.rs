@@ -722,6 +722,34 @@ pub(crate) const EQUATIONS: &[&str] = &["Eq", "sp.Eq", "sympy.Eq", "Equal", "Equ
 /// Words that join values, also where they are set as text within a formula.
 pub(crate) const JOINING: &[&str] = &["and", "or", "et", "ou", "und", "oder", "in", "at", "cis"];
 
+/// Words that join statements: before what a letter is, and before what follows.
+pub(crate) const STATEMENTS: &[&str] = &[
+    "with",
+    "where",
+    "and",
+    "or",
+    "so",
+    "thus",
+    "hence",
+    "therefore",
+    "mit",
+    "wobei",
+    "also",
+    "avec",
+    "où",
+    "donc",
+    "con",
+    "dove",
+    "donde",
+];
+
+/// Letters of rates by the custom of the field, with the order of each, where these are the coordinates.
+pub(crate) const RATES: &[(&[&str], &[(&str, u8)])] = &[
+    (&["x", "y", "z", "s", "u"], &[("v", 1), ("a", 2)]),
+    (&["theta", "phi"], &[("omega", 1), ("alpha", 2)]),
+    (&["q"], &[("i", 1)]),
+];
+
 /// Words before the option that is chosen.
 pub(crate) const ANNOUNCEMENTS: &[&str] = &[
     "the answer is",

@@ -4,11 +4,36 @@ use super::{Setup, written};
 use crate::answer::{Answered, Reading, Unreadable, Why};
 use crate::expr::{Equation, Expr, Relation};
 use crate::math::Math;
-use crate::response::{Chain, Manner, Passage, Trouble, unit_of_zero};
+use crate::response::{Chain, Manner, Passage, Trouble, Typed, unit_of_zero};
 
 impl Setup {
-    /// The equations that a response is.
+    /// The equations that a response is; where others say what letters mean that the question does not have, with
+    /// these in their place.
     pub(crate) fn read(&self, response: Passage<'_>) -> Result<Vec<Equation>, Unreadable> {
+        self.alone(response)
+            .or_else(|why| self.defined(response).ok_or(why))
+    }
+
+    /// The equations of a response whose other statements define letters.
+    fn defined(&self, response: Passage<'_>) -> Option<Vec<Equation>> {
+        let chains = response.defined_chains(&self.lexicon, Manner::REAL)?.ok()?;
+        let mut found = Vec::new();
+        for chain in chains {
+            found.extend(of_chain(&self.fitting(chain)).ok()?);
+        }
+        (!found.is_empty()).then_some(found)
+    }
+
+    /// The reading of a chain that has the dimensions of equations, if one has.
+    fn fitting(&self, chain: Typed<Chain>) -> Chain {
+        chain.fitting(|chain| {
+            let equations = of_chain(chain).unwrap_or_default();
+            let mut equations = equations.iter();
+            equations.all(|equation| equation.check(&self.meaning).is_ok())
+        })
+    }
+
+    fn alone(&self, response: Passage<'_>) -> Result<Vec<Equation>, Unreadable> {
         let mut found = Vec::new();
         for own in response.equations() {
             if let Some(why) = beside_the_point(own) {
@@ -19,12 +44,7 @@ impl Setup {
                 Trouble::NoRelation => Why::NoEquation.into(),
                 _ => Unreadable::typed(&error, own),
             })?;
-            let fits = |chain: &Chain| {
-                let equations = of_chain(chain).unwrap_or_default();
-                let mut equations = equations.iter();
-                equations.all(|equation| equation.check(&self.meaning).is_ok())
-            };
-            for equation in of_chain(&chain.fitting(fits))? {
+            for equation in of_chain(&self.fitting(chain))? {
                 found.push(self.without_unit_of_zero(equation, own)?);
             }
         }

@@ -12,7 +12,7 @@ use crate::answer::{
     Remark, Slip, Trial, Unreadable, Verdict, Why,
 };
 use crate::expr::Expr;
-use crate::response::{Passage, Trouble, TypedError};
+use crate::response::{Passage, Trouble, Typed, TypedError};
 use crate::unit::DecimalMark;
 
 /// A prepared key.
@@ -126,7 +126,7 @@ impl Prepared {
         Marking::wrong(reading, slip.map(Remark::from))
     }
 
-    fn comparable(&self, expr: &Expr) -> Option<Comparable> {
+    pub(crate) fn comparable(&self, expr: &Expr) -> Option<Comparable> {
         Comparable::of(&self.setup.meaning, expr, &BTreeMap::new()).ok()
     }
 
@@ -139,13 +139,7 @@ impl Prepared {
 
     /// Whether another side of the equals signs is a formula that is not the same as the last one.
     fn contradicts_itself(&self, response: Passage<'_>) -> bool {
-        let Ok(sides) = response.sides(&self.setup.lexicon) else {
-            return false;
-        };
-        let differs = |side: &Passage<'_>| {
-            let Ok(typed) = self.read(*side) else {
-                return false;
-            };
+        let differs = |typed: Typed<Expr>| {
             let mut readings = [typed.value].into_iter().chain(typed.others);
             readings.all(|expr| {
                 let other = self.comparable(&expr);
@@ -153,7 +147,7 @@ impl Prepared {
                     .is_some_and(|other| self.points.compare(&self.key, &other) != Comparison::Same)
             })
         };
-        sides.iter().rev().skip(1).any(differs)
+        self.other_forms(response).into_iter().any(differs)
     }
 
     /// Whether a response is a number in the unit of the key.

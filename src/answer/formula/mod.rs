@@ -27,7 +27,10 @@ use super::equality::{BySigns, Comparable, Points, Signs};
 use super::letters::Allowed;
 use super::meaning::{Meaning, Prefer};
 use super::shared::{self, Shared};
-use super::{Answer, AnswerError, Asked, Blank, Context, Declare, Key, Marker, numeric, symbolic};
+use super::{
+    Answer, AnswerError, AnswerKind, Asked, Blank, Context, Declare, Key, Marker, Naming, numeric,
+    symbolic,
+};
 use crate::expr::{Expr, Field, Name, Shape, Type};
 use crate::quantity::{Absent, Evaluation, NodeId};
 use crate::response::Lexicon;
@@ -54,6 +57,8 @@ pub(crate) struct Setup {
     unit: Option<Unit>,
     meaning: Meaning,
     lexicon: Lexicon,
+    /// What the answer may be called.
+    naming: Naming,
     /// The letters of its answer line.
     letters: Vec<Expr>,
     /// The key and the named mistakes, compiled once for all data.
@@ -122,7 +127,9 @@ pub(crate) fn of_key(
     }
     let shown = meaning.expanded(&expr, &allowed.names);
     let unit = declare.unit_of(key);
+    let naming = Naming::of(declare, AnswerKind::Formula, &[key], unit);
     let setup = Setup {
+        naming,
         letters: allowed.of_formula(&shown),
         shown,
         expr,
@@ -143,8 +150,8 @@ pub(crate) fn of_key(
 }
 
 impl Answer for Formula {
-    fn kind(&self) -> crate::answer::AnswerKind {
-        crate::answer::AnswerKind::Formula
+    fn kind(&self) -> AnswerKind {
+        AnswerKind::Formula
     }
 
     fn blank(&self) -> Blank {

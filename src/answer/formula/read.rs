@@ -1,34 +1,88 @@
 //! Reads the formula of a response, and the unit that may come after it all the same.
 
 use super::marker::Prepared;
+use crate::answer::equality::Comparison;
 use crate::answer::{Marking, Misfit, Note, Unreadable, Verdict, Why};
 use crate::expr::{Expr, Field};
-use crate::response::{BeforeUnit, Manner, Passage, Typed, TypedError};
+use crate::response::{BeforeUnit, Manner, Passage, Stated, Trouble, Typed, TypedError};
 use crate::unit::Unit;
 
 impl Prepared {
     /// The readings of a formula. Where all is real, the imaginary unit may stand in what comes out real, `|1 + iζ|`.
     pub(crate) fn read(&self, response: Passage<'_>) -> Result<Typed<Expr>, TypedError> {
-        let read = |has_imaginary_unit| {
-            let manner = Manner {
-                comma_is_decimal: true,
-                has_imaginary_unit,
-                values: None,
-            };
-            response.formula(&self.setup.lexicon, manner)
+        let stated = self.stated(response)?;
+        self.in_manner(|manner| {
+            let formula = stated.formula(&self.setup.lexicon, manner);
+            match formula {
+                // `½ I θ'² = ½ m l² θ'²`, each side of which is the answer.
+                Err(error) if error.trouble == Trouble::Unsolved => {
+                    self.equal_forms(&stated, manner).ok_or(error)
+                }
+                formula => formula,
+            }
+        })
+    }
+
+    /// The statements of a response.
+    fn stated<'t>(&self, response: Passage<'t>) -> Result<Stated<'t>, TypedError> {
+        response.stated(|label| self.setup.naming.is_of_asked(label))
+    }
+
+    /// The other sides of the equals signs of a response, each in its readings.
+    pub(crate) fn other_forms(&self, response: Passage<'_>) -> Vec<Typed<Expr>> {
+        let stated = self.stated(response);
+        stated.map_or_else(
+            |_| Vec::new(),
+            |stated| stated.other_forms(&self.setup.lexicon, self.manner()),
+        )
+    }
+
+    /// The last of the sides of a statement without a symbol, if all of them are the same.
+    fn equal_forms(&self, stated: &Stated<'_>, manner: Manner) -> Option<Typed<Expr>> {
+        let mut forms = stated.all_forms(&self.setup.lexicon, manner).ok()?;
+        let fits = |expr: &Expr| self.misfit(expr).is_none();
+        let last = forms.pop()?.fitting(fits);
+        let own = self.comparable(&last)?;
+        let is_same = |form: Typed<Expr>| {
+            let form = self.comparable(&form.fitting(fits));
+            form.is_some_and(|form| self.points.compare(&own, &form) == Comparison::Same)
         };
+        let typed = Typed {
+            value: last,
+            others: Vec::new(),
+        };
+        forms.into_iter().all(is_same).then_some(typed)
+    }
+
+    /// What is read in the manner of the key.
+    fn in_manner(
+        &self,
+        read: impl Fn(Manner) -> Result<Typed<Expr>, TypedError>,
+    ) -> Result<Typed<Expr>, TypedError> {
+        let own = self.manner();
+        let is_real = |typed: &Typed<Expr>| {
+            let found = typed.value.check(&self.setup.meaning);
+            found.is_ok_and(|found| found.field() == Field::Real)
+        };
+        match read(own) {
+            Err(error) if !own.has_imaginary_unit => {
+                read(Manner::COMPLEX).ok().filter(is_real).ok_or(error)
+            }
+            read => read,
+        }
+    }
+
+    /// The manner in which the key and its mistakes are written.
+    fn manner(&self) -> Manner {
         let is_complex = self.setup.kind.field() == Field::Complex
             || self
                 .mistakes
                 .iter()
                 .any(|mistake| mistake.formula.is_complex());
-        let is_real = |typed: &Typed<Expr>| {
-            let found = typed.value.check(&self.setup.meaning);
-            found.is_ok_and(|found| found.field() == Field::Real)
-        };
-        match read(is_complex) {
-            Err(error) if !is_complex => read(true).ok().filter(is_real).ok_or(error),
-            read => read,
+        if is_complex {
+            Manner::COMPLEX
+        } else {
+            Manner::REAL
         }
     }
 

@@ -131,6 +131,11 @@ impl Labels {
         Ok((rest, forms))
     }
 
+    /// Whether a text is the name of what is asked.
+    pub(crate) fn is_own(&self, label: Passage<'_>) -> bool {
+        matches!(self.side(label), Ok(Side::Own))
+    }
+
     /// What stands before an equals sign; `x(t) [m]` has its unit after it.
     fn side(&self, side: Passage<'_>) -> Result<Side, Unreadable> {
         let side = side.without_bracketed_unit();

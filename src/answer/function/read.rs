@@ -2,18 +2,50 @@
 
 use super::marker::{Prepared, Response};
 use super::slip::without_waves;
+use crate::answer::numeric::quantity;
+use crate::answer::trial::typed as typed_number;
 use crate::answer::{Answered, Reading, Unreadable, Why};
 use crate::expr::{Expr, Function, Kind};
 use crate::math::Math;
+use crate::numerics::Rational;
 use crate::response::{
-    FunctionPiece, Lexicon, Manner, Measured, Passage, Reworded, Trouble, Typed, TypedError,
-    ValueTrouble,
+    FunctionPiece, Lexicon, Manner, Measured, Passage, Reworded, Stated, Trouble, Typed,
+    TypedError, ValueTrouble,
 };
-use crate::unit::Unit;
+use crate::unit::{DecimalMark, Unit};
 
 impl Prepared<'_> {
-    /// The function that a response is: the last form of it that was typed, which the others have to equal.
+    /// The function that a response is, with its letters as other statements define them.
     pub(crate) fn read(&self, response: Passage<'_>) -> Result<Response, Unreadable> {
+        self.alone(response)
+            .or_else(|why| self.defined(response).ok_or(why))
+    }
+
+    /// The function of a response whose other statements say what its letters are: `A cos(5 t + φ), A = 0.2, φ = 1.3`.
+    fn defined(&self, response: Passage<'_>) -> Option<Response> {
+        let setup = &self.setup;
+        let measure = |value: Passage<'_>| {
+            let quantity = quantity(value, DecimalMark::Point).ok()?;
+            Rational::from_decimal(&typed_number(quantity.si()))
+                .map(|si| Expr::derived(Kind::Number(si)))
+        };
+        let stated = response
+            .stated(|label| setup.labels.is_own(label))
+            .ok()
+            .filter(Stated::has_others)?
+            .measured_by(&measure);
+        let typed = stated.formula(&setup.lexicon, Manner::REAL).ok()?;
+        let read = self.bare(self.of_right_dimension(typed));
+        let is_same = |form: Typed<Expr>| {
+            let values = self.values_of(&self.of_right_dimension(form));
+            values.is_some_and(|values| self.fits(&read.values, &values))
+        };
+        let mut forms = stated.other_forms(&setup.lexicon, Manner::REAL).into_iter();
+        (!self.adds_angle(&read.expr) && forms.all(is_same)).then_some(read)
+    }
+
+    /// The function that a response is: the last form of it that was typed, which the others have to equal.
+    fn alone(&self, response: Passage<'_>) -> Result<Response, Unreadable> {
         let labels = &self.setup.labels;
         let setup = &self.setup;
         let is_free = setup.lexicon.reads("tau").is_none();
@@ -161,6 +193,17 @@ impl Prepared<'_> {
 
     /// Where a text leaves several readings, the one of the right dimension.
     fn of_right_dimension(&self, typed: Typed<Expr>) -> Expr {
+        // `q0 cos t/√(LC)` makes sense in one way only, down to what stands in its waves.
+        let makes_sense = |expr: &Expr| {
+            let found = expr.check(&self.setup.meaning).ok();
+            let dimension = found.and_then(|kind| kind.dimension());
+            self.has_data(expr) && dimension.is_some() && dimension == self.setup.kind.dimension()
+        };
+        if !makes_sense(&typed.value)
+            && let Some(other) = typed.others.iter().find(|other| makes_sense(other))
+        {
+            return other.clone();
+        }
         typed.fitting(|expr| self.dimension_trouble(expr).is_none())
     }
 
@@ -193,17 +236,6 @@ impl Prepared<'_> {
                     Trouble::Value(ValueTrouble::UnitOfOne | ValueTrouble::Units)
                 );
                 return has_no_common.then(|| Err(Why::UnitOfTerms.into()));
-        // `q0 cos t/√(LC)` makes sense in one way only, down to what stands in its waves.
-        let makes_sense = |expr: &Expr| {
-            let found = expr.check(&self.setup.meaning).ok();
-            let dimension = found.and_then(|kind| kind.dimension());
-            self.has_data(expr) && dimension.is_some() && dimension == self.setup.kind.dimension()
-        };
-        if !makes_sense(&typed.value)
-            && let Some(other) = typed.others.iter().find(|other| makes_sense(other))
-        {
-            return other.clone();
-        }
             }
         };
         let is_own = |unit: &Unit| unit.dimension() == own.dimension();
