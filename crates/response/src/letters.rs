@@ -25,6 +25,11 @@ impl Letters {
 
     /// Adds a letter or digit that begins at `at`; whether it is one.
     pub(crate) fn push(&mut self, char: char, at: usize, _end: usize) -> bool {
+        // `k_∥`
+        if let Some(word) = sign_of_subscript(char).filter(|_| !self.text.is_empty()) {
+            self.text.push_str(word);
+            return true;
+        }
         let plain = match char {
             '₀'..='₉' => char::from(b'0' + (u32::from(char) - u32::from('₀')) as u8),
             _ => lowered(char).unwrap_or(char),
@@ -101,6 +106,30 @@ pub(crate) fn lowered(char: char) -> Option<char> {
     ];
     let found = LOWERED.iter().find(|(sign, _)| *sign == char);
     found.map(|(_, letter)| *letter)
+}
+
+/// The word of a sign that stands as a subscript: what is parallel or at right angles.
+fn sign_of_subscript(char: char) -> Option<&'static str> {
+    match char {
+        '∥' => Some("par"),
+        '⊥' => Some("perp"),
+        _ => None,
+    }
+}
+
+/// The sign of a subscript with which a text begins, in the ways in which it is typed, and its length.
+pub(crate) fn sign_in_subscript(text: &str) -> Option<(char, usize)> {
+    const SPELLINGS: [(&str, char); 5] = [
+        ("\\parallel", '∥'),
+        ("\\|", '∥'),
+        ("||", '∥'),
+        ("//", '∥'),
+        ("\\perp", '⊥'),
+    ];
+    let found = SPELLINGS
+        .iter()
+        .find(|(spelling, _)| text.starts_with(spelling));
+    found.map(|(spelling, sign)| (*sign, spelling.len()))
 }
 
 /// Letters that are neither ASCII nor Greek, as in `ℓ`.

@@ -446,6 +446,11 @@ impl Lexer<'_> {
                 self.at += command.len();
             }
         }
+        if let Some((sign, width)) = sign_in_subscript(self.rest()) {
+            letters.push(sign, self.at, self.at);
+            self.at += width;
+            return;
+        }
         if self.rest().starts_with('\\') {
             let name: String = self.rest()[1..]
                 .chars()
@@ -474,6 +479,11 @@ impl Lexer<'_> {
         let mut inner = 0_u32;
         while let Some(char) = self.peek() {
             let at = self.at;
+            if let Some((sign, width)) = sign_in_subscript(self.rest()) {
+                letters.push(sign, at, at);
+                self.at += width;
+                continue;
+            }
             self.at += char.len_utf8();
             match char {
                 '}' if inner == 0 => break,
@@ -608,6 +618,7 @@ impl Lexer<'_> {
         if !may_begin {
             return false;
         }
+        let start = self.at;
         let Some((leaf, end)) = self.differential_quotient() else {
             return self.operator();
         };
@@ -616,17 +627,6 @@ impl Lexer<'_> {
         true
     }
 
-    fn differential_quotient(&self) -> Option<(Expr, usize)> {
-        let start = self.at;
-        let found = leibniz(self.text, self.at)
-            .or_else(|| behind(self.text, self.at))
-            .or_else(|| {
-                let is_letter = self.rest().starts_with("D(") && self.lexicon.knows("D");
-                called(self.text, self.at).filter(|_| !is_letter)
-            })
-            .or_else(|| method(self.text, self.at));
-        let (spelling, order, end) = found?;
-        Some((self.lexicon.dotted(&spelling, order)?, end))
     /// `d/dt (m x')`; whether the operator stands here.
     fn operator(&mut self) -> bool {
         let moving: BTreeSet<Name> = gather(self.lexicon.moving_names().cloned());
@@ -637,6 +637,16 @@ impl Lexer<'_> {
         end.is_some()
     }
 
+    fn differential_quotient(&self) -> Option<(Expr, usize)> {
+        let found = leibniz(self.text, self.at)
+            .or_else(|| behind(self.text, self.at))
+            .or_else(|| {
+                let is_letter = self.rest().starts_with("D(") && self.lexicon.knows("D");
+                called(self.text, self.at).filter(|_| !is_letter)
+            })
+            .or_else(|| method(self.text, self.at));
+        let (spelling, order, end) = found?;
+        Some((self.lexicon.dotted(&spelling, order)?, end))
     }
 }
 
