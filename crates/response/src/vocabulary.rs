@@ -192,7 +192,45 @@ impl Words {
             }
         }
         words.add_rates();
+        words.add_bare_frequency(entries);
         words
+    }
+
+    /// `ω` for the natural frequency `ω_n` where the item has no other frequency of that letter and no angle whose rate it
+    /// may be.
+    fn add_bare_frequency(&mut self, entries: &[LexiconEntry]) {
+        const INDICES: [&str; 4] = ["0", "n", "o", "N"];
+        const ANGLES: [&str; 3] = ["theta", "phi", "alpha"];
+        let mut only = None;
+        for entry in entries {
+            let (name, is_moving) = match entry {
+                LexiconEntry::Allowed(name, _, is_moving) => (name, *is_moving),
+                LexiconEntry::Forbidden(name) => (name, false),
+            };
+            let spelling = Letters::spelling(name.as_str()).unwrap_or_default();
+            let is_angle = ANGLES.iter().any(|angle| spelling.starts_with(angle));
+            if is_moving && is_angle {
+                return;
+            }
+            let Some(index) = ["omega", "Omega", "w"]
+                .iter()
+                .find_map(|letter| spelling.strip_prefix(letter))
+            else {
+                continue;
+            };
+            let is_natural = spelling.starts_with("omega") && INDICES.contains(&index);
+            let is_same = only.is_none_or(|own| own == name);
+            if !is_natural || !is_same || matches!(entry, LexiconEntry::Forbidden(_)) {
+                return;
+            }
+            only = Some(name);
+        }
+        let Some(name) = only else { return };
+        for word in ["omega", "w"] {
+            if !self.knows(word) {
+                self.add(word, WordSense::Leaf(Expr::name(name.clone())), 0);
+            }
+        }
     }
 
     /// Functions and constants alone.
