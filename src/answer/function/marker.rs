@@ -7,6 +7,7 @@ use std::sync::Arc;
 
 use super::Setup;
 use super::late::{OnSpan, Window};
+use super::phase::rounded_alike;
 use super::samples::{fine, rounding, samples};
 use crate::answer::meaning::ORDERS;
 use crate::answer::trial::typed as typed_number;
@@ -283,6 +284,9 @@ impl Prepared<'_> {
         {
             return Marking::mistake(response.reading, *number, *credit);
         }
+        if !begins_rightly && self.is_right_with_its_phase(&response) {
+            return Marking::right(response.reading);
+        }
         if begins_rightly {
             return wrong(response, Some(Slip::RunsAway.into()));
         }
@@ -311,6 +315,32 @@ impl Prepared<'_> {
                 units.any(|unit| window.admits(&in_si(unit, &values)))
             })
         })
+    }
+
+    /// Whether a function is right with another phase that is rounded to its own, and no named mistake with any.
+    fn is_right_with_its_phase(&self, response: &Response) -> bool {
+        let phases = rounded_alike(&response.expr, &self.setup.variable, self.figures);
+        let near: Vec<Response> = phases
+            .into_iter()
+            .filter_map(|expr| {
+                Some(Response {
+                    values: self.values_in(&expr, &response.units)?,
+                    units: response.units.clone(),
+                    reading: response.reading.clone(),
+                    expr,
+                })
+            })
+            .collect();
+        let is_mistake = |own: &Response| {
+            let mut mistakes = self.mistakes().iter();
+            mistakes.any(|mistake| self.fits(&own.values, &mistake.values))
+        };
+        let is_right = |own: &Response| {
+            self.fits(&own.values, &self.values)
+                && self.fits_late(own)
+                && self.has_tolerance_for(own)
+        };
+        near.iter().any(is_right) && !near.iter().any(is_mistake)
     }
 
     fn has_tolerance_for(&self, response: &Response) -> bool {

@@ -42,6 +42,7 @@ mod general;
 mod label;
 mod late;
 mod marker;
+mod phase;
 mod read;
 mod samples;
 mod slip;
