@@ -49,7 +49,12 @@ pub(crate) fn measured(
         trouble: Trouble::Value(ValueTrouble::Missing),
         span: whole,
     };
-    if !tokens.iter().any(is_unit) || !are_after_values(&tokens) {
+    let last = last_unit(&tokens);
+    let (bare, is_bracketed) = last.map_or((&tokens[..], false), |(before, _, is)| (before, is));
+    // After the whole it stands behind the time, too: `25.9 sin 8.49t cm`.
+    let is_apart = is_bracketed || tokens.last().is_some_and(|last| last.is_spaced);
+    let values = if is_apart { bare } else { &tokens };
+    if !tokens.iter().any(is_unit) || !are_after_values(values) {
         return Err(missing);
     }
     let read = |tokens: &[Token]| {
@@ -66,7 +71,7 @@ pub(crate) fn measured(
         })
     };
     // Of the whole it is if no term has one of its own.
-    if let Some((before, unit)) = last_unit(&tokens)
+    if let Some((before, unit, _)) = last
         && let Ok(bare) = read(before)
         && bare.value.unit.is_none()
     {
@@ -83,17 +88,38 @@ pub(crate) fn measured(
     read(&tokens)
 }
 
-/// The tokens before the unit that stands last, and before the word `in` that introduces it.
-fn last_unit(tokens: &[Token]) -> Option<(&[Token], Unit)> {
+/// The tokens before the unit that stands last, and before the comma, bracket or word `in` that introduces it; whether it
+/// stands in brackets.
+fn last_unit(tokens: &[Token]) -> Option<(&[Token], Unit, bool)> {
+    let sign = |token: &Token| match token.item {
+        Item::Sign(sign) => Some(sign),
+        _ => None,
+    };
     let (last, before) = tokens.split_last()?;
+    let is_bracketed = matches!(sign(last), Some(')' | ']'));
+    let (last, before) = if is_bracketed {
+        before.split_last()?
+    } else {
+        (last, before)
+    };
     let Item::Unit(unit) = &last.item else {
         return None;
     };
-    let before = match before {
-        [before @ .., word] if word.item == Item::Word("in") => before,
-        _ => before,
+    let (mut before, is_introduced) = match before {
+        [before @ .., word] if word.item == Item::Word("in") => (before, true),
+        _ => (before, false),
     };
-    (!before.is_empty()).then_some((before, **unit))
+    if is_bracketed {
+        let (open, own) = before.split_last()?;
+        before = matches!(sign(open), Some('(' | '[')).then_some(own)?;
+    }
+    if let [own @ .., comma] = before
+        && (is_introduced || is_bracketed)
+        && sign(comma) == Some(',')
+    {
+        before = own;
+    }
+    (!before.is_empty()).then_some((before, **unit, is_bracketed))
 }
 
 /// Whether each unit comes after a number, a bracket or another unit, or divides: letters elsewhere are names.
