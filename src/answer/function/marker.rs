@@ -7,7 +7,7 @@ use std::sync::Arc;
 
 use super::Setup;
 use super::late::{OnSpan, Window};
-use super::phase::rounded_alike;
+use super::phase::with_rounded_numbers;
 use super::samples::{fine, rounding, samples};
 use crate::answer::meaning::ORDERS;
 use crate::answer::trial::typed as typed_number;
@@ -284,7 +284,7 @@ impl Prepared<'_> {
         {
             return Marking::mistake(response.reading, *number, *credit);
         }
-        if !begins_rightly && self.is_right_with_its_phase(&response) {
+        if !begins_rightly && self.is_right_but_for_its_rounding(&response) {
             return Marking::right(response.reading);
         }
         if begins_rightly {
@@ -317,30 +317,43 @@ impl Prepared<'_> {
         })
     }
 
-    /// Whether a function is right with another phase that is rounded to its own, and no named mistake with any.
-    fn is_right_with_its_phase(&self, response: &Response) -> bool {
-        let phases = rounded_alike(&response.expr, &self.setup.variable, self.figures);
-        let near: Vec<Response> = phases
+    /// Whether a function of one wave differs from the key by no more than the rounding of its numbers, and so from no
+    /// named mistake.
+    fn is_right_but_for_its_rounding(&self, response: &Response) -> bool {
+        // The parts are taken one by one: what two of them do together is less than this share of both.
+        const TOGETHER: f64 = 1.05;
+        let moved = with_rounded_numbers(&response.expr, &self.setup.variable, self.figures);
+        let Some(moved) = moved else { return false };
+        let moved: Option<Vec<[Vec<Vec<f64>>; 2]>> = moved
             .into_iter()
-            .filter_map(|expr| {
-                Some(Response {
-                    values: self.values_in(&expr, &response.units)?,
-                    units: response.units.clone(),
-                    reading: response.reading.clone(),
-                    expr,
-                })
+            .map(|[lower, higher]| {
+                let values = |expr: &Expr| self.values_in(expr, &response.units);
+                Some([values(&lower)?, values(&higher)?])
             })
             .collect();
-        let is_mistake = |own: &Response| {
-            let mut mistakes = self.mistakes().iter();
-            mistakes.any(|mistake| self.fits(&own.values, &mistake.values))
+        let Some(moved) = moved else { return false };
+        let is_near = |key: &[f64]| {
+            let mut forms = response.values.iter().enumerate();
+            forms.any(|(form, values)| {
+                let mut times = values.iter().zip(key).enumerate();
+                times.all(|(time, (value, key))| {
+                    let parts = moved.iter().map(|sides| {
+                        let sizes = sides
+                            .each_ref()
+                            .map(|side| (side[form][time] - value).abs());
+                        sizes[0].max(sizes[1])
+                    });
+                    (value - key).abs() <= TOGETHER * parts.sum::<f64>() + 1e-12 * key.abs()
+                })
+            })
         };
-        let is_right = |own: &Response| {
-            self.fits(&own.values, &self.values)
-                && self.fits_late(own)
-                && self.has_tolerance_for(own)
-        };
-        near.iter().any(is_right) && !near.iter().any(is_mistake)
+        is_near(&self.values)
+            && self.fits_late(response)
+            && self.has_tolerance_for(response)
+            && !self
+                .mistakes()
+                .iter()
+                .any(|mistake| is_near(&mistake.values))
     }
 
     fn has_tolerance_for(&self, response: &Response) -> bool {
