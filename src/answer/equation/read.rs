@@ -10,8 +10,15 @@ impl Setup {
     /// The equations that a response is; where others say what letters mean that the question does not have, with
     /// these in their place.
     pub(crate) fn read(&self, response: Passage<'_>) -> Result<Vec<Equation>, Unreadable> {
-        self.alone(response)
-            .or_else(|why| self.defined(response).ok_or(why))
+        self.alone(response).or_else(|why| {
+            // What is said beside the point stays so, whatever letters mean.
+            let is_beside = matches!(
+                *why.why,
+                Why::EquationNumber | Why::InitialState | Why::UnitOfZero | Why::NotInequality
+            );
+            let defined = (!is_beside).then(|| self.defined(response)).flatten();
+            defined.ok_or(why)
+        })
     }
 
     /// The equations of a response whose other statements define letters.
