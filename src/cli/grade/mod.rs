@@ -111,7 +111,7 @@ pub(crate) struct Arguments {
     attempt: Which,
     /// Also write the marks as the gradebook of a platform imports them.
     #[arg(long, value_name = "PLATFORM")]
-    gradebook: Option<gradebook::Platform>,
+    gradebook: Option<gradebook::GradebookPlatform>,
     /// The column of the class list by which that platform knows students.
     #[arg(
         long,
