@@ -7,9 +7,9 @@ use std::sync::{Arc, OnceLock};
 use sha2::{Digest, Sha256};
 
 use super::folder::{BankFile, Chapter};
-#[cfg(feature = "render")]
-use super::load::read;
 use super::{ItemId, Revision, Template};
+#[cfg(feature = "render")]
+use super::{Listing, folder::FolderError, load::read};
 use crate::diagnostic::Finding;
 use crate::source::{Source, nearest};
 
@@ -20,13 +20,13 @@ pub struct Catalogue {
     pub bank: BankFile,
     /// Its chapters by number.
     pub chapters: Vec<Chapter>,
-    pub(crate) entries: Vec<CatalogueEntry>,
-    pub(crate) by_id: BTreeMap<Arc<str>, usize>,
+    entries: Vec<CatalogueEntry>,
+    by_id: BTreeMap<Arc<str>, usize>,
     /// Whether its items were taken out of their bank, so that nobody knows its topics.
-    pub(crate) is_loose: bool,
+    is_loose: bool,
     /// What a list shows of items, where it was made out before.
     #[cfg(feature = "render")]
-    pub(crate) listings: BTreeMap<ItemId, super::Listing>,
+    listings: BTreeMap<ItemId, Listing>,
 }
 
 /// The file of an item, and what came of reading it.
@@ -36,7 +36,7 @@ pub(crate) struct CatalogueEntry {
     pub(crate) file: File,
     /// Made out when it is asked for: a digest of all items takes longer than reading one.
     pub(crate) revision: OnceLock<Revision>,
-    reading: OnceLock<Reading>,
+    reading: OnceLock<ItemReading>,
 }
 
 /// Where the text of an item is.
@@ -55,7 +55,7 @@ pub(crate) enum File {
 pub type Open = dyn Fn(&str) -> Result<String, Box<Finding>> + Send + Sync;
 
 #[derive(Debug, Default)]
-pub(crate) struct Reading {
+pub(crate) struct ItemReading {
     /// None where something is wrong with it.
     pub(crate) template: Option<Template>,
     pub(crate) findings: Vec<Finding>,
@@ -63,7 +63,7 @@ pub(crate) struct Reading {
 
 #[cfg(feature = "render")]
 impl CatalogueEntry {
-    pub(crate) fn new(id: ItemId, file: File) -> Self {
+    fn new(id: ItemId, file: File) -> Self {
         Self {
             id,
             file,
@@ -75,7 +75,7 @@ impl CatalogueEntry {
 
 impl CatalogueEntry {
     /// The revision of its text; one that cannot be read has that of no text.
-    pub(crate) fn revision(&self) -> Revision {
+    fn revision(&self) -> Revision {
         *self.revision.get_or_init(|| {
             let source = self.file.source();
             Revision::of(source.as_ref().map_or("", |source| &source.text))
@@ -94,7 +94,7 @@ impl File {
 
     /// The file, for a finding that says nothing of its text.
     #[cfg(feature = "render")]
-    pub(crate) fn named(&self) -> Source {
+    fn named(&self) -> Source {
         match self {
             Self::Text(source) => source.clone(),
             Self::Unopened { path, .. } => Source::new(Arc::clone(path), ""),
@@ -106,6 +106,173 @@ impl fmt::Debug for File {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         let (Self::Text(Source { path, .. }) | Self::Unopened { path, .. }) = self;
         formatter.write_str(path)
+    }
+}
+
+#[cfg(feature = "render")]
+impl Catalogue {
+    /// Opens a bank and reads all its items; what is wrong is reported, the rest serves.
+    pub fn load<'f>(files: impl IntoIterator<Item = (&'f str, &'f str)>) -> (Self, Vec<Finding>) {
+        let (catalogue, mut findings) = Self::open(files);
+        findings.append(&mut catalogue.findings());
+        Finding::sort(&mut findings);
+        (catalogue, findings)
+    }
+
+    /// Takes the files of a bank, each with its path inside the bank, and reads those that are not items.
+    pub fn open<'f>(files: impl IntoIterator<Item = (&'f str, &'f str)>) -> (Self, Vec<Finding>) {
+        Self::open_beside(
+            files,
+            [],
+            &(Arc::new(|_: &str| Ok(String::new())) as Arc<Open>),
+        )
+    }
+
+    /// The same beside items whose files, at these paths inside the bank, are not opened before somebody asks for them,
+    /// and anew each time.
+    pub fn open_beside<'f>(
+        files: impl IntoIterator<Item = (&'f str, &'f str)>,
+        unopened: impl IntoIterator<Item = ItemId>,
+        open: &Arc<Open>,
+    ) -> (Self, Vec<Finding>) {
+        let mut sources: Vec<Source> = files
+            .into_iter()
+            .map(|(path, text)| Source::new(path, text))
+            .collect();
+        // Findings come in the same order, whatever the one in which a disk lists its files.
+        sources.sort_by(|a, b| a.path.cmp(&b.path));
+        let mut findings = Vec::new();
+        let mut catalogue = Self::default();
+        match sources.iter().find(|source| &*source.path == "bank.toml") {
+            Some(source) => {
+                let (bank, mut found) = BankFile::read(source);
+                findings.append(&mut found);
+                catalogue.bank = bank;
+            }
+            None => findings.push(Finding::of(
+                &FolderError::NoBankFile,
+                &Source::new("bank.toml", ""),
+            )),
+        }
+        for source in &sources {
+            catalogue.add(source, &mut findings);
+        }
+        let unopened = unopened.into_iter().map(|id| {
+            let path = format!("{id}.toml").into();
+            let open = Arc::clone(open);
+            CatalogueEntry::new(id, File::Unopened { path, open })
+        });
+        catalogue.entries.extend(unopened);
+        catalogue.arrange(&mut findings);
+        Finding::sort(&mut findings);
+        (catalogue, findings)
+    }
+
+    /// Items that were taken out of their bank: files without `bank.toml` and chapters, each with its path inside the
+    /// bank. A run keeps those that it used.
+    pub fn of_items<'f>(files: impl IntoIterator<Item = (&'f str, &'f str)>) -> Self {
+        let (catalogue, _) = Self::open(files);
+        Self {
+            is_loose: true,
+            ..catalogue
+        }
+    }
+
+    /// What is wrong with the items, all of which are read for it.
+    pub fn findings(&self) -> Vec<Finding> {
+        self.findings_among(|_| true)
+    }
+
+    /// What is wrong with these items; no others are read.
+    pub fn findings_among(&self, wants: impl Fn(&ItemId) -> bool) -> Vec<Finding> {
+        let mut findings = self.item_findings(&wants);
+        for item in self.items_among(&wants) {
+            for after in item
+                .about
+                .after
+                .iter()
+                .filter(|after| !self.has(&after.value))
+            {
+                let error = FolderError::After {
+                    item: item.id.to_string(),
+                    after: after.value.clone(),
+                    nearest: self.nearest(&after.value).map(str::to_owned),
+                    span: after.span,
+                };
+                findings.push(Finding::of(&error, &item.source));
+            }
+        }
+        Finding::sort(&mut findings);
+        findings
+    }
+
+    fn add(&mut self, source: &Source, findings: &mut Vec<Finding>) {
+        if let Some(folder) = source.path.strip_suffix("/_chapter.toml") {
+            let (chapter, mut found) = Chapter::read(folder, source);
+            findings.append(&mut found);
+            self.chapters.push(chapter);
+        } else if &*source.path != "bank.toml" {
+            match ItemId::of_path(&source.path) {
+                Some(id) => self
+                    .entries
+                    .push(CatalogueEntry::new(id, File::Text(source.clone()))),
+                None => findings.push(Finding::of(
+                    &FolderError::Path(source.path.to_string()),
+                    source,
+                )),
+            }
+        }
+    }
+
+    /// Sorts items by chapter and name.
+    fn arrange(&mut self, findings: &mut Vec<Finding>) {
+        self.chapters.sort_by(|a, b| {
+            a.number
+                .cmp(&b.number)
+                .then_with(|| a.folder.cmp(&b.folder))
+        });
+        let place = |id: &ItemId| {
+            self.chapters
+                .iter()
+                .position(|chapter| chapter.folder == id.chapter())
+        };
+        self.entries
+            .sort_by_cached_key(|entry| (place(&entry.id), natural(entry.id.as_str())));
+        self.by_id = self
+            .entries
+            .iter()
+            .enumerate()
+            .map(|(at, entry)| (entry.id.as_str().into(), at))
+            .collect();
+        for entry in self
+            .entries
+            .iter()
+            .filter(|entry| place(&entry.id).is_none())
+        {
+            let error = FolderError::NoChapterFile(entry.id.chapter().to_owned());
+            findings.push(Finding::of(&error, &entry.file.named()));
+        }
+    }
+
+    /// Takes rows of a list that was made before, so that these items need not be read for one. A row of another revision
+    /// than that of the item does not count.
+    pub fn know(&mut self, rows: impl IntoIterator<Item = Listing>) {
+        self.listings
+            .extend(rows.into_iter().map(|row| (row.id.clone(), row)));
+    }
+
+    /// What a list shows of an item whose row is known; another one has to be read for it. No file is opened for that: a row
+    /// counts until its item is read and turns out to have another text.
+    pub fn listing(&self, id: &ItemId) -> Option<&Listing> {
+        let row = self.listings.get(id)?;
+        let entry = &self.entries[*self.by_id.get(id.as_str())?];
+        let revision = match entry.file {
+            File::Text(_) => Some(entry.revision()),
+            File::Unopened { .. } => entry.revision.get().copied(),
+        };
+        revision
+            .is_none_or(|revision| revision == row.revision)
+            .then_some(row)
     }
 }
 
@@ -161,13 +328,13 @@ impl Catalogue {
 
     /// What is wrong with the files of these items.
     #[cfg(feature = "render")]
-    pub(crate) fn item_findings(&self, wants: impl Fn(&ItemId) -> bool) -> Vec<Finding> {
+    fn item_findings(&self, wants: impl Fn(&ItemId) -> bool) -> Vec<Finding> {
         let wanted = self.entries.iter().filter(|entry| wants(&entry.id));
         let findings = wanted.flat_map(|entry| &self.reading(entry).findings);
         findings.cloned().collect()
     }
 
-    fn reading<'c>(&'c self, entry: &'c CatalogueEntry) -> &'c Reading {
+    fn reading<'c>(&'c self, entry: &'c CatalogueEntry) -> &'c ItemReading {
         entry
             .reading
             .get_or_init(|| read(entry, (!self.is_loose).then_some(&self.bank)))
@@ -200,6 +367,26 @@ impl Catalogue {
 
 /// Without the readers of texts no catalogue has an entry.
 #[cfg(not(feature = "render"))]
-fn read(_: &CatalogueEntry, _: Option<&BankFile>) -> Reading {
-    Reading::default()
+fn read(_: &CatalogueEntry, _: Option<&BankFile>) -> ItemReading {
+    ItemReading::default()
+}
+
+/// A key under which `p10` comes after `p9`.
+#[cfg(feature = "render")]
+fn natural(text: &str) -> Vec<(u64, String)> {
+    let mut key = Vec::new();
+    let mut rest = text;
+    while !rest.is_empty() {
+        let word = rest
+            .find(|letter: char| letter.is_ascii_digit())
+            .unwrap_or(rest.len());
+        let (letters, tail) = rest.split_at(word);
+        let digits = tail
+            .find(|letter: char| !letter.is_ascii_digit())
+            .unwrap_or(tail.len());
+        key.push((0, letters.to_owned()));
+        key.push((tail[..digits].parse().unwrap_or(u64::MAX), String::new()));
+        rest = &tail[digits..];
+    }
+    key
 }

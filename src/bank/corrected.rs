@@ -32,101 +32,73 @@ pub enum CorrectionError {
     },
 }
 
-impl Template {
-    /// The same item with another key of a part, as its file would state it; of a choice, the options that are right.
-    ///
-    /// It bears the revision of the item that it corrects, since its data are drawn alike.
-    ///
-    /// # Errors
-    ///
-    /// [`CorrectionError`].
-    ///
-    /// # Examples
-    ///
-    /// ```
-    /// use vibank::bank::Catalogue;
-    /// use vibank::source::{Data, Span, Value};
-    /// use vibank::{answer::Verdict, grade, instance::Instance, solution::Solution};
-    ///
-    /// let (catalogue, _) = Catalogue::load([
-    ///     ("bank.toml", "format = 1\ntitle = 'T'"),
-    ///     ("c/_chapter.toml", "title = 'C'"),
-    ///     ("c/a.toml", "[item]\ntitle = 'A'\nsource = 'by hand'\n[parameters]\nf = '2 Hz'\n[quantities]\nomega = { formula = 'f', unit = 'rad/s' }\n[statement]\ntext = 'A wheel turns with << f >>.'\n[[part]]\nkey = 'omega'\nask = 'How fast is it?'\n"),
-    /// ]);
-    /// let key = Value { data: Data::Text("2*pi*f".into()), span: Span::NONE };
-    /// let corrected = catalogue.find("c/a").unwrap().with_key("omega", &key).unwrap();
-    /// let solution = Solution::of(Instance::of_source(&corrected));
-    /// let place = corrected.place("omega").unwrap();
-    /// assert_eq!(grade::mark(&solution, place, "12.6 rad/s").verdict, Verdict::Right);
-    /// ```
-    pub fn with_key(&self, part: &str, key: &Value) -> Result<Self, CorrectionError> {
-        self.with_keys(&[(part, key)])
+/// The item with the keys of several parts, each named once.
+pub(crate) fn with_keys(
+    template: &Template,
+    keys: &[(&str, &Value)],
+) -> Result<Template, CorrectionError> {
+    let problems = Problems::default();
+    let mut tree = own::in_form(toml::read(&template.source, &problems));
+    for (part, key) in keys {
+        correct(template, &mut tree, part, key)?;
     }
+    let parts: Vec<&str> = keys.iter().map(|(part, _)| *part).collect();
+    read_again(template, &tree, &parts.join("`, `"))
+}
 
-    /// The same with the keys of several parts, each named once.
-    ///
-    /// # Errors
-    ///
-    /// [`CorrectionError`].
-    pub fn with_keys(&self, keys: &[(&str, &Value)]) -> Result<Self, CorrectionError> {
-        let problems = Problems::default();
-        let mut tree = own::in_form(toml::read(&self.source, &problems));
-        for (part, key) in keys {
-            self.correct(&mut tree, part, key)?;
+fn correct(
+    template: &Template,
+    tree: &mut Value,
+    part: &str,
+    key: &Value,
+) -> Result<(), CorrectionError> {
+    let no_key = || CorrectionError::NoKey(part.to_owned());
+    let own = template.part(part).ok_or_else(no_key)?;
+    let table = find(tree, own).ok_or_else(no_key)?;
+    match own.answer.kind() {
+        AnswerKind::Work => return Err(no_key()),
+        AnswerKind::Choice => {
+            let options = own.answer.options().iter().map(|option| option.id.as_str());
+            let options: Vec<&str> = options.collect();
+            let right = right(key, &options).ok_or_else(|| CorrectionError::Options {
+                part: part.to_owned(),
+                options: options.join(", "),
+            })?;
+            choose(table, &right);
         }
-        let parts: Vec<&str> = keys.iter().map(|(part, _)| *part).collect();
-        self.read_again(&tree, &parts.join("`, `"))
-    }
-
-    fn correct(&self, tree: &mut Value, part: &str, key: &Value) -> Result<(), CorrectionError> {
-        let no_key = || CorrectionError::NoKey(part.to_owned());
-        let own = self.part(part).ok_or_else(no_key)?;
-        let table = find(tree, own).ok_or_else(no_key)?;
-        match own.answer.kind() {
-            AnswerKind::Work => return Err(no_key()),
-            AnswerKind::Choice => {
-                let options = own.answer.options().iter().map(|option| option.id.as_str());
-                let options: Vec<&str> = options.collect();
-                let right = right(key, &options).ok_or_else(|| CorrectionError::Options {
-                    part: part.to_owned(),
-                    options: options.join(", "),
-                })?;
-                choose(table, &right);
+        _ => {
+            set(table, "key", unplaced(key).data);
+            // As such a question may state a fixed value.
+            if template.id.is_own() && own.answer.kind() == AnswerKind::Numeric {
+                own::fix(table, "key");
             }
-            _ => {
-                set(table, "key", unplaced(key).data);
-                // As such a question may state a fixed value.
-                if self.id.is_own() && own.answer.kind() == AnswerKind::Numeric {
-                    own::fix(table, "key");
-                }
-                // A quantity had a unit, which a formula in its place has not.
-                let unit = own
-                    .answer
-                    .unit()
-                    .filter(|_| own.answer.kind() == AnswerKind::Numeric);
-                if let Some(unit) = unit.filter(|_| text(table, "unit").is_none()) {
-                    set(table, "unit", Data::Text(unit.to_string()));
-                }
-                rename(table, own);
+            // A quantity had a unit, which a formula in its place has not.
+            let unit = own
+                .answer
+                .unit()
+                .filter(|_| own.answer.kind() == AnswerKind::Numeric);
+            if let Some(unit) = unit.filter(|_| text(table, "unit").is_none()) {
+                set(table, "unit", Data::Text(unit.to_string()));
             }
+            rename(table, own);
         }
-        Ok(())
     }
+    Ok(())
+}
 
-    fn read_again(&self, tree: &Value, part: &str) -> Result<Self, CorrectionError> {
-        let item = read::Item {
-            id: self.id.clone(),
-            revision: self.revision,
-            source: &self.source,
-            tree,
-            topics: None,
-        };
-        let (template, findings) = read::item(item, &Problems::default(), &mut Parsers);
-        template.ok_or_else(|| CorrectionError::Key {
-            part: part.to_owned(),
-            reason: reason(&findings),
-        })
-    }
+fn read_again(template: &Template, tree: &Value, part: &str) -> Result<Template, CorrectionError> {
+    let item = read::Item {
+        id: template.id.clone(),
+        revision: template.revision,
+        source: &template.source,
+        tree,
+        topics: None,
+    };
+    let (corrected, findings) = read::item(item, &Problems::default(), &mut Parsers);
+    corrected.ok_or_else(|| CorrectionError::Key {
+        part: part.to_owned(),
+        reason: reason(&findings),
+    })
 }
 
 /// What is wrong first, with its way out.

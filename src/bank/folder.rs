@@ -6,7 +6,7 @@ use crate::document::Document;
 
 #[cfg(feature = "render")]
 use crate::{
-    diagnostic::{Code, Diagnose, Finding, Label},
+    diagnostic::{Code, Diagnose, Finding, Label, Severity},
     document::read_bare,
     source::{Problems, Source, Span, Table, Text, toml},
 };
@@ -42,6 +42,25 @@ pub struct Chapter {
     pub formulas: Document,
 }
 
+/// What is wrong with the folder of a bank.
+#[cfg(feature = "render")]
+#[derive(Debug, thiserror::Error)]
+pub(crate) enum FolderError {
+    #[error("the bank has no `bank.toml`")]
+    NoBankFile,
+    #[error("the chapter `{0}` has no `_chapter.toml`")]
+    NoChapterFile(String),
+    #[error("`{0}` cannot be the name of an item")]
+    Path(String),
+    #[error("`{item}` builds on `{after}`, which is not an item of this bank")]
+    After {
+        item: String,
+        after: String,
+        nearest: Option<String>,
+        span: Span,
+    },
+}
+
 #[cfg(feature = "render")]
 #[derive(Debug, thiserror::Error)]
 #[error("this bank has format {found}, this program reads format {FORMAT}")]
@@ -65,6 +84,43 @@ impl Diagnose for WrongFormat {
 
     fn help(&self) -> Option<String> {
         Some("take the version of the program that belongs to the bank".to_owned())
+    }
+}
+
+#[cfg(feature = "render")]
+impl Diagnose for FolderError {
+    fn code(&self) -> Code {
+        Code::FOLDER
+    }
+
+    fn severity(&self) -> Severity {
+        match self {
+            Self::NoBankFile | Self::Path(_) => Severity::Error,
+            Self::NoChapterFile(_) | Self::After { .. } => Severity::Warning,
+        }
+    }
+
+    fn labels(&self) -> Vec<Label> {
+        match self {
+            Self::After { span, .. } => vec![Label {
+                span: *span,
+                text: String::new(),
+            }],
+            _ => Vec::new(),
+        }
+    }
+
+    fn help(&self) -> Option<String> {
+        match self {
+            Self::NoBankFile => Some("add one with `format = 1` and a `title`".to_owned()),
+            Self::NoChapterFile(_) => Some("add one with a `title` and a `number`".to_owned()),
+            Self::Path(_) => {
+                Some("name it `chapter/slug.toml` in small letters, digits and hyphens".to_owned())
+            }
+            Self::After { nearest, .. } => nearest
+                .as_ref()
+                .map(|near| format!("did you mean `{near}`?")),
+        }
     }
 }
 

@@ -2,8 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::catalogue::File;
-use super::{Catalogue, ItemId, Revision, Template};
+use super::{ItemId, Revision, Template};
 
 /// What a list shows of an item, and what items are chosen by.
 ///
@@ -73,28 +72,5 @@ impl Listing {
     pub fn embedded() -> impl Iterator<Item = Self> {
         let rows = EMBEDDED.lines().filter(|line| !line.is_empty());
         rows.filter_map(|line| serde_json::from_str(line).ok())
-    }
-}
-
-impl Catalogue {
-    /// Takes rows of a list that was made before, so that these items need not be read for one. A row of another revision
-    /// than that of the item does not count.
-    pub fn know(&mut self, rows: impl IntoIterator<Item = Listing>) {
-        self.listings
-            .extend(rows.into_iter().map(|row| (row.id.clone(), row)));
-    }
-
-    /// What a list shows of an item whose row is known; another one has to be read for it. No file is opened for that: a row
-    /// counts until its item is read and turns out to have another text.
-    pub fn listing(&self, id: &ItemId) -> Option<&Listing> {
-        let row = self.listings.get(id)?;
-        let entry = &self.entries[*self.by_id.get(id.as_str())?];
-        let revision = match entry.file {
-            File::Text(_) => Some(entry.revision()),
-            File::Unopened { .. } => entry.revision.get().copied(),
-        };
-        revision
-            .is_none_or(|revision| revision == row.revision)
-            .then_some(row)
     }
 }

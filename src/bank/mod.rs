@@ -45,6 +45,8 @@ pub use folder::{BankFile, Chapter, FORMAT};
 pub use identity::{ItemId, Revision};
 #[cfg(feature = "render")]
 pub use listing::{ListedPart, Listing};
+#[cfg(feature = "render")]
+pub(crate) use own::question_keys;
 pub use parameter::{Domain, Grid, Parameter, ParameterError};
 pub use passage::{Passage, Piece, Target};
 pub use points::{share_in_group, share_out};

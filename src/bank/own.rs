@@ -3,13 +3,10 @@
 //! `[[question]]` with a statement and parts holds what an item file holds, with a shorter head: what a file has under
 //! `[item]` stands beside the statement, statement and solution are plain texts, a part needs no `id`, and the key of a
 //! number may be a fixed value, `20 rad/s`. Here its tree is brought into the form of an item file, so that everything
-//! behind knows one form alone.
+//! after it knows one form alone.
 
-use super::load::read_text;
-use super::{ItemId, Template};
-use crate::diagnostic::Finding;
 use crate::expr::Expr;
-use crate::source::{Data, Entry, Source, Span, Value};
+use crate::source::{Data, Entry, Span, Value};
 use crate::unit::Quantity;
 
 /// What a question says that an item file has under `[item]`.
@@ -42,28 +39,9 @@ const BODY: [&str; 12] = [
 /// Guards that are lifted, as under `[item]`, or findings of `check` that are in order, as in an item file.
 const ALLOW: &str = "allow";
 
-impl Template {
-    /// The keys of a question of a blueprint that belong to its item.
-    pub(crate) fn question_keys() -> impl Iterator<Item = &'static str> {
-        HEAD.into_iter().chain(BODY).chain([ALLOW])
-    }
-
-    /// Reads the text of one `[[question]]` of a blueprint: its item, or what is wrong with it, in places of that text.
-    ///
-    /// ```
-    /// use vibank::bank::{ItemId, Template};
-    /// use vibank::source::Source;
-    /// let text = "[[question]]\ntitle = 'A swing'\nstatement = 'A swing takes 2.5 s for a full cycle.'\n\
-    ///             [[question.part]]\nask = 'Find its frequency.'\nkey = '0.4 Hz'\n";
-    /// let id = ItemId::of_path("own/swing.toml").unwrap();
-    /// let (item, findings) = Template::of_question(id, &Source::new("exam.toml", text));
-    /// assert!(findings.is_empty());
-    /// assert_eq!(item.unwrap().parts[0].id, "part_1");
-    /// ```
-    pub fn of_question(id: ItemId, source: &Source) -> (Option<Self>, Vec<Finding>) {
-        let revision = super::Revision::of(&source.text);
-        read_text(id, revision, source, None)
-    }
+/// The keys of a question of a blueprint that belong to its item.
+pub(crate) fn question_keys() -> impl Iterator<Item = &'static str> {
+    HEAD.into_iter().chain(BODY).chain([ALLOW])
 }
 
 /// The tree of an item, where the file has that or one question of a blueprint.

@@ -35,75 +35,70 @@ const READING: [&str; 14] = [
 /// The same where options are chosen.
 const CHOOSING: [&str; 2] = ["several", "ranking"];
 
-impl Template {
-    /// A compiled item that reads responses to these parts, given by their places, and knows no key.
-    ///
-    /// Nothing where what is asked cannot be parted from its key.
-    ///
-    /// ```
-    /// use vibank::bank::{Catalogue, embedded};
-    /// let (catalogue, _) = Catalogue::open(embedded());
-    /// let item = catalogue.find("ch3/e5-log-decrement").unwrap();
-    /// let stripped = item.stripped(&[0, 1]).unwrap();
-    /// let json = serde_json::to_string(&stripped).unwrap();
-    /// assert!(json.contains("T_p"));
-    /// ```
-    pub fn stripped(&self, places: &[usize]) -> Option<Compiled> {
-        let text = self.stripped_text(places)?;
-        let path = format!("{}.toml", self.id);
-        let catalogue = Catalogue::of_items([(path.as_str(), text.as_str())]);
-        let template = catalogue.find(self.id.as_str())?;
-        Some(Compiled::of(template))
-    }
+/// A compiled item that reads responses to these parts and knows no key, where what is asked can be parted from it.
+pub(crate) fn of(item: &Template, places: &[usize]) -> Option<Compiled> {
+    let tree = own::in_form(toml::read(&item.source, &Problems::default()));
+    let file = table(&tree);
+    let text = Stripping { item, file }.text(places)?;
+    let path = format!("{}.toml", item.id);
+    let catalogue = Catalogue::of_items([(path.as_str(), text.as_str())]);
+    let template = catalogue.find(item.id.as_str())?;
+    Some(Compiled::of(template))
+}
 
-    /// The same as the file of an item.
-    fn stripped_text(&self, places: &[usize]) -> Option<String> {
-        let tree = self.tree();
-        let file = table(&tree);
+/// An item that is stripped.
+struct Stripping<'t> {
+    item: &'t Template,
+    /// What its file states, in the form of an item file where it is a question of a blueprint.
+    file: &'t [Entry],
+}
+
+impl Stripping<'_> {
+    /// The text of its file.
+    fn text(&self, places: &[usize]) -> Option<String> {
         // Texts that an item must have say nothing here.
         let mut out = String::from("[item]\ntitle = \"-\"\nsource = \"-\"\n");
-        let _ = writeln!(out, "digits = {}", self.about.digits);
+        let _ = writeln!(out, "digits = {}", self.item.about.digits);
         out.push_str("[statement]\ntext = \"-\"\n");
-        section(&mut out, "parameters", &self.data(file));
-        let symbols = entry(file, "symbols").map(table).unwrap_or_default();
+        section(&mut out, "parameters", &self.data());
+        let symbols = entry(self.file, "symbols").map(table).unwrap_or_default();
         let symbols: Vec<(String, String)> = symbols
             .iter()
             .map(|own| (own.key.clone(), free_name(&own.value)))
             .collect();
         section(&mut out, "symbols", &symbols);
-        let quantities = entry(file, "quantities").map(table).unwrap_or_default();
+        let quantities = entry(self.file, "quantities")
+            .map(table)
+            .unwrap_or_default();
         let quantities: Option<Vec<(String, String)>> = quantities
             .iter()
             .map(|own| Some((own.key.clone(), self.quantity(own)?)))
             .collect();
         section(&mut out, "quantities", &quantities?);
-        let main = entry(file, "model");
+        let main = entry(self.file, "model");
         if let Some(model) = main {
             section(&mut out, "model", &placeholder(model, None));
         }
-        for own in entry(file, "models").map(table).unwrap_or_default() {
+        for own in entry(self.file, "models").map(table).unwrap_or_default() {
             let name = format!("models.{}", quoted(&own.key));
             section(&mut out, &name, &placeholder(&own.value, main));
         }
-        let parts = items(file, "part");
+        let parts = items(self.file, "part");
         for place in places {
-            let part = &self.parts[*place];
+            let part = &self.item.parts[*place];
             let keys = self.part_keys(part, parts)?;
             section(&mut out, "[part]", &keys);
         }
         Some(out)
     }
 
-    /// The item in the form of a file, where a question of a blueprint states it, too.
-    fn tree(&self) -> Value {
-        own::in_form(toml::read(&self.source, &Problems::default()))
-    }
-
     /// The data, each one of its unit.
-    fn data(&self, file: &[Entry]) -> Vec<(String, String)> {
-        let stated = entry(file, "parameters").map(table).unwrap_or_default();
+    fn data(&self) -> Vec<(String, String)> {
+        let stated = entry(self.file, "parameters")
+            .map(table)
+            .unwrap_or_default();
         let of = |own: &Entry| {
-            let (_, parameter) = self.parameter(&own.key)?;
+            let (_, parameter) = self.item.parameter(&own.key)?;
             let mut keys = vec![("value", quoted(&amount(&parameter.unit)))];
             if let Some(symbol) = text(table(&own.value), "symbol") {
                 keys.push(("symbol", quoted(symbol)));
@@ -115,7 +110,7 @@ impl Template {
 
     /// A quantity as a constant of its form and dimension, or as a function of the same names.
     fn quantity(&self, stated: &Entry) -> Option<String> {
-        let node = self.graph.find(&Name::new(stated.key.as_str()))?;
+        let node = self.item.graph.find(&Name::new(stated.key.as_str()))?;
         let own = table(&stated.value);
         let constant = self.constant(node)?;
         let mut keys = vec![("formula", quoted(&constant))];
@@ -132,15 +127,15 @@ impl Template {
 
     /// A constant in place of the value of a node, times what varies with the names on which it depends.
     fn constant(&self, node: NodeId) -> Option<String> {
-        let kind = self.graph.kind(node)?;
-        let units = self.info(node).and_then(|info| info.units.as_ref());
+        let kind = self.item.graph.kind(node)?;
+        let units = self.item.info(node).and_then(|info| info.units.as_ref());
         let mut varying = String::new();
         // Whether a number alone is read depends on whether the key has letters.
-        let letter = self.graph.parameters(node).first().copied();
-        if let Some(letter) = letter.and_then(|letter| self.info(letter)) {
+        let letter = self.item.graph.parameters(node).first().copied();
+        if let Some(letter) = letter.and_then(|letter| self.item.info(letter)) {
             let _ = write!(varying, "*{0}/{0}", letter.name);
         }
-        for name in self.graph.variables(node) {
+        for name in self.item.graph.variables(node) {
             let _ = write!(varying, "*cos({name}/{})", one(&self.unit_of(&name)?));
         }
         literal(kind, units, &varying)
@@ -151,13 +146,11 @@ impl Template {
         if name.as_str() == "t" {
             return Unit::parse("s").ok();
         }
-        let tree = self.tree();
-        let file = table(&tree);
-        let models = entry(file, "models").map(table).unwrap_or_default();
+        let models = entry(self.file, "models").map(table).unwrap_or_default();
         let models = models.iter().map(|own| &own.value);
-        let coordinates = entry(file, "model").into_iter().chain(models);
+        let coordinates = entry(self.file, "model").into_iter().chain(models);
         let coordinates = coordinates.filter_map(|model| entry(table(model), "coordinates"));
-        let mut all = entry(file, "symbols").into_iter().chain(coordinates);
+        let mut all = entry(self.file, "symbols").into_iter().chain(coordinates);
         let found = all.find_map(|names| entry(table(names), name.as_str()))?;
         let unit = match &found.data {
             Data::Text(unit) => unit.as_str(),
@@ -221,7 +214,7 @@ impl Template {
                 // What goes without saying is cut from what is typed, too, where the item says it in numbers.
                 let within = text(stated, "within").filter(|within| {
                     let mut words = within.split(|letter: char| !letter.is_alphanumeric());
-                    words.all(|word| !self.graph.names().any(|name| name.as_str() == word))
+                    words.all(|word| !self.item.graph.names().any(|name| name.as_str() == word))
                 });
                 if let Some(within) = within {
                     put("within", quoted(within));
@@ -261,13 +254,13 @@ impl Template {
         let keys = part.answer.keys();
         let node = *keys.first()?;
         let unit = part.answer.unit();
-        let is_quantity = |name: &Name| self.graph.find(name).is_some();
+        let is_quantity = |name: &Name| self.item.graph.find(name).is_some();
         let named = text(stated, "key").map(str::trim);
         let named = named.filter(|key| is_quantity(&Name::new(*key)));
         if let Some(name) = named {
             return Some((name.to_owned(), unit));
         }
-        let listed = match self.graph.expr(node).map(Expr::kind) {
+        let listed = match self.item.graph.expr(node).map(Expr::kind) {
             Some(Kind::Array(entries)) => entries
                 .iter()
                 .map(|entry| match entry.kind() {
@@ -283,7 +276,7 @@ impl Template {
         if part.answer.kind() == AnswerKind::Function {
             let variable = text(stated, "variable").unwrap_or("t");
             let scale = one(&self.unit_of_name(variable)?);
-            let kind = self.graph.kind(node)?;
+            let kind = self.item.graph.kind(node)?;
             let varying = format!("*cos({variable}/{scale})");
             return Some((literal(kind, None, &varying)?, unit));
         }
@@ -297,7 +290,7 @@ impl Template {
         let words = all.flat_map(|key| key.split(['[', ']', '(', ')', ',']));
         let mut names: Vec<String> = Vec::new();
         for word in words.map(str::trim) {
-            let is_name = self.graph.find(&Name::new(word)).is_some();
+            let is_name = self.item.graph.find(&Name::new(word)).is_some();
             if is_name && !names.iter().any(|known| known == word) {
                 names.push(word.to_owned());
             }
@@ -308,10 +301,14 @@ impl Template {
     /// The unit of a name: a datum, a quantity or what is free.
     fn unit_of_name(&self, name: &str) -> Option<Unit> {
         let own = Name::new(name);
-        if let Some((_, parameter)) = self.parameter(name) {
+        if let Some((_, parameter)) = self.item.parameter(name) {
             return Some(parameter.unit);
         }
-        let info = self.graph.find(&own).and_then(|node| self.info(node));
+        let info = self
+            .item
+            .graph
+            .find(&own)
+            .and_then(|node| self.item.info(node));
         match info.and_then(|info| info.units.as_ref()) {
             Some(Units::One(unit)) => Some(*unit),
             Some(Units::Each(_)) => None,
@@ -321,8 +318,7 @@ impl Template {
 
     /// The first coordinate of its models.
     fn coordinate(&self) -> Option<String> {
-        let tree = self.tree();
-        let model = entry(table(&tree), "model")?;
+        let model = entry(self.file, "model")?;
         let coordinates = entry(table(model), "coordinates")?;
         Some(table(coordinates).first()?.key.clone())
     }

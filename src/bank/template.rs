@@ -5,7 +5,11 @@ use std::sync::{Arc, OnceLock};
 
 use super::plot::Plot;
 use super::{About, ItemId, Parameter, Passage, Revision};
+#[cfg(feature = "render")]
+use super::{Compiled, CorrectionError, corrected, load::read_text, stripped};
 use crate::answer::{Answer, Blank, Drawn, Naming};
+#[cfg(feature = "render")]
+use crate::diagnostic::Finding;
 use crate::document::Document;
 use crate::expr::{Expr, Kind as Node, Name, Precise};
 use crate::figure::Figure;
@@ -13,6 +17,8 @@ use crate::math::Math;
 use crate::numerics::Rational;
 use crate::quantity::{Datum, Graph, Method, NodeId};
 use crate::source::Source;
+#[cfg(feature = "render")]
+use crate::source::Value;
 use crate::unit::{Quantity, Unit};
 
 /// An item as it was read: what can be drawn, asked, answered and shown.
@@ -394,5 +400,81 @@ impl Template {
         self.about
             .minutes
             .unwrap_or_else(|| self.parts.iter().map(|part| part.answer.minutes()).sum())
+    }
+}
+
+/// What needs the text of the item.
+#[cfg(feature = "render")]
+impl Template {
+    /// Reads the text of one `[[question]]` of a blueprint: its item, or what is wrong with it, in places of that text.
+    ///
+    /// ```
+    /// use vibank::bank::{ItemId, Template};
+    /// use vibank::source::Source;
+    /// let text = "[[question]]\ntitle = 'A swing'\nstatement = 'A swing takes 2.5 s for a full cycle.'\n\
+    ///             [[question.part]]\nask = 'Find its frequency.'\nkey = '0.4 Hz'\n";
+    /// let id = ItemId::of_path("own/swing.toml").unwrap();
+    /// let (item, findings) = Template::of_question(id, &Source::new("exam.toml", text));
+    /// assert!(findings.is_empty());
+    /// assert_eq!(item.unwrap().parts[0].id, "part_1");
+    /// ```
+    pub fn of_question(id: ItemId, source: &Source) -> (Option<Self>, Vec<Finding>) {
+        let revision = Revision::of(&source.text);
+        read_text(id, revision, source, None)
+    }
+
+    /// The same item with another key of a part, as its file would state it; of a choice, the options that are right.
+    ///
+    /// It bears the revision of the item that it corrects, since its data are drawn alike.
+    ///
+    /// # Errors
+    ///
+    /// [`CorrectionError`].
+    ///
+    /// # Examples
+    ///
+    /// ```
+    /// use vibank::bank::Catalogue;
+    /// use vibank::source::{Data, Span, Value};
+    /// use vibank::{answer::Verdict, grade, instance::Instance, solution::Solution};
+    ///
+    /// let (catalogue, _) = Catalogue::load([
+    ///     ("bank.toml", "format = 1\ntitle = 'T'"),
+    ///     ("c/_chapter.toml", "title = 'C'"),
+    ///     ("c/a.toml", "[item]\ntitle = 'A'\nsource = 'by hand'\n[parameters]\nf = '2 Hz'\n[quantities]\nomega = { formula = 'f', unit = 'rad/s' }\n[statement]\ntext = 'A wheel turns with << f >>.'\n[[part]]\nkey = 'omega'\nask = 'How fast is it?'\n"),
+    /// ]);
+    /// let key = Value { data: Data::Text("2*pi*f".into()), span: Span::NONE };
+    /// let corrected = catalogue.find("c/a").unwrap().with_key("omega", &key).unwrap();
+    /// let solution = Solution::of(Instance::of_source(&corrected));
+    /// let place = corrected.place("omega").unwrap();
+    /// assert_eq!(grade::mark(&solution, place, "12.6 rad/s").verdict, Verdict::Right);
+    /// ```
+    pub fn with_key(&self, part: &str, key: &Value) -> Result<Self, CorrectionError> {
+        self.with_keys(&[(part, key)])
+    }
+
+    /// The same with the keys of several parts, each named once.
+    ///
+    /// # Errors
+    ///
+    /// [`CorrectionError`].
+    pub fn with_keys(&self, keys: &[(&str, &Value)]) -> Result<Self, CorrectionError> {
+        corrected::with_keys(self, keys)
+    }
+
+    /// A compiled item that reads responses to these parts, given by their places, and knows no key.
+    ///
+    /// Nothing where what is asked cannot be parted from its key.
+    ///
+    /// ```
+    /// use vibank::bank::{Catalogue, embedded};
+    /// let (catalogue, _) = Catalogue::open(embedded());
+    /// let item = catalogue.find("ch3/e5-log-decrement").unwrap();
+    /// let stripped = item.stripped(&[0, 1]).unwrap();
+    /// let json = serde_json::to_string(&stripped).unwrap();
+    /// assert!(json.contains("T_p"));
+    /// ```
+    pub fn stripped(&self, places: &[usize]) -> Option<Compiled> {
+        stripped::of(self, places)
     }
 }

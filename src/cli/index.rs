@@ -41,7 +41,7 @@ pub(crate) struct Stamp {
 /// The index of one folder.
 pub(crate) struct Index {
     path: PathBuf,
-    head: Head,
+    head: IndexHead,
     /// The rows of an earlier run.
     text: String,
     rows: BTreeMap<String, IndexRow>,
@@ -59,7 +59,7 @@ struct IndexRow {
 
 /// What an index belongs to, in its first line.
 #[derive(PartialEq, Eq, Serialize, Deserialize)]
-struct Head {
+struct IndexHead {
     /// The program, which another build may read items otherwise than.
     program: String,
     folder: PathBuf,
@@ -122,7 +122,7 @@ impl Index {
             path: cache()?
                 .join("banks")
                 .join(format!("{}.index", &name[..32])),
-            head: Head {
+            head: IndexHead {
                 program: program(),
                 folder,
                 bank: Revision::of(bank),
@@ -148,7 +148,7 @@ impl Index {
         let mut text = String::new();
         file.take(MAX_LENGTH).read_to_string(&mut text).ok()?;
         let (head, rows) = text.split_once('\n')?;
-        let mut head: Head = serde_json::from_str(head).ok()?;
+        let mut head: IndexHead = serde_json::from_str(head).ok()?;
         if std::mem::take(&mut head.rows) != files::digest(rows.as_bytes()) || head != self.head {
             return None;
         }

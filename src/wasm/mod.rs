@@ -112,7 +112,7 @@ impl Grader {
         let reply = serde_json::from_str(request)
             .map_err(|error| error.to_string())
             .and_then(|json| Request::from_json(json).map_err(|misfit| misfit.to_string()))
-            .and_then(|request| self.reply(&request));
+            .and_then(|request| request::reply(self, &request));
         json::written(&reply.unwrap_or_else(|error| Reply::Refused { error }))
     }
 

@@ -233,61 +233,60 @@ struct AskedInstance<'g> {
     parts: Vec<usize>,
 }
 
-impl Grader {
-    pub(crate) fn reply(&self, request: &Request) -> Result<Reply, String> {
-        match request {
-            Request::Choose { question, from } => {
-                let variant = self.choose(*question, *from)?;
-                Ok(Reply::Chosen {
-                    code: variant.to_string(),
-                })
-            }
-            Request::Show { question, code } => Ok(self.asked(*question, code)?.show()),
-            Request::Read {
-                question,
-                code,
-                part,
-                response,
-            } => self.asked(*question, code)?.read(part, response),
-            Request::Mark {
-                question,
-                code,
-                part,
-                response,
-                earlier,
-            } => self.asked(*question, code)?.mark(part, response, earlier),
-            Request::Hint {
-                question,
-                code,
-                part,
-                number,
-            } => self.asked(*question, code)?.hint(part, *number),
-            Request::Solve {
-                question,
-                code,
-                part,
-            } => self.asked(*question, code)?.solve(part),
-            Request::Move {
-                question,
-                code,
-                run,
-            } => self.asked(*question, code)?.moving(*run),
+/// Answers a request.
+pub(crate) fn reply(grader: &Grader, request: &Request) -> Result<Reply, String> {
+    match request {
+        Request::Choose { question, from } => {
+            let variant = grader.choose(*question, *from)?;
+            Ok(Reply::Chosen {
+                code: variant.to_string(),
+            })
         }
+        Request::Show { question, code } => Ok(AskedInstance::of(grader, *question, code)?.show()),
+        Request::Read {
+            question,
+            code,
+            part,
+            response,
+        } => AskedInstance::of(grader, *question, code)?.read(part, response),
+        Request::Mark {
+            question,
+            code,
+            part,
+            response,
+            earlier,
+        } => AskedInstance::of(grader, *question, code)?.mark(part, response, earlier),
+        Request::Hint {
+            question,
+            code,
+            part,
+            number,
+        } => AskedInstance::of(grader, *question, code)?.hint(part, *number),
+        Request::Solve {
+            question,
+            code,
+            part,
+        } => AskedInstance::of(grader, *question, code)?.solve(part),
+        Request::Move {
+            question,
+            code,
+            run,
+        } => AskedInstance::of(grader, *question, code)?.moving(*run),
     }
+}
 
-    fn asked(&self, number: usize, code: &str) -> Result<AskedInstance<'_>, String> {
+impl<'g> AskedInstance<'g> {
+    fn of(grader: &'g Grader, number: usize, code: &str) -> Result<Self, String> {
         let variant: Variant = code.parse().map_err(|error| format!("`{code}`: {error}"))?;
-        let solution = self.solution(number, variant)?;
-        let parts = asked(self.question(number)?.0, &solution);
-        Ok(AskedInstance {
-            grader: self,
+        let solution = grader.solution(number, variant)?;
+        let parts = asked(grader.question(number)?.0, &solution);
+        Ok(Self {
+            grader,
             solution,
             parts,
         })
     }
-}
 
-impl AskedInstance<'_> {
     fn template(&self) -> &'static Template {
         self.solution.template()
     }

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use super::blueprint::{BlueprintError, Faults};
-use crate::bank::{ItemId, Template};
+use crate::bank::{ItemId, Template, question_keys};
 use crate::diagnostic::{Finding, Label};
 use crate::source::{Data, Source, Span, Table, Value};
 
@@ -36,7 +36,7 @@ impl Own {
         faults: &mut Faults<'_>,
     ) -> Option<Arc<Self>> {
         let id = id(table, place, faults);
-        for key in Template::question_keys() {
+        for key in question_keys() {
             table.value(key);
         }
         let has_all = ["title", "statement", "part"].map(|key| table.required(key).is_some());

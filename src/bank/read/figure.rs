@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use super::ItemReader;
+use super::{ItemReader, passages};
 use crate::answer::Known;
 use crate::bank::template::QuantityInfo;
 use crate::document::Document;
@@ -21,7 +21,15 @@ pub(crate) struct ItemNames<'a> {
     free: &'a [Known],
 }
 
-impl ItemNames<'_> {
+impl<'a> ItemNames<'a> {
+    pub(crate) fn of(reader: &'a ItemReader<'_>) -> Self {
+        Self {
+            graph: &reader.graph,
+            quantities: &reader.quantities,
+            free: &reader.free,
+        }
+    }
+
     /// The symbol of a quantity, or else of a free variable.
     pub(crate) fn symbol(&self, name: &Name) -> Math {
         let quantity = self
@@ -96,29 +104,22 @@ impl ItemNames<'_> {
     }
 }
 
-impl<'s> ItemReader<'s> {
-    /// The figure and what is written under it.
-    pub(crate) fn figure(&mut self, table: &Table<'s>) -> (Option<Figure>, Document) {
-        let Some(table) = table.table("figure") else {
-            return (None, Document::default());
-        };
-        let caption = table.text("caption");
-        self.has_free = table.has("free");
-        self.moves = table.has("motion");
-        let caption = caption
-            .map(|text| self.plain_text(&text))
-            .unwrap_or_default();
-        let (figure, mut findings) = Figure::read(&table, &self.names());
-        self.findings.append(&mut findings);
-        table.finish();
-        (Some(figure), caption)
-    }
-
-    pub(crate) fn names(&self) -> ItemNames<'_> {
-        ItemNames {
-            graph: &self.graph,
-            quantities: &self.quantities,
-            free: &self.free,
-        }
-    }
+/// The figure and what is written under it.
+pub(crate) fn read<'s>(
+    reader: &mut ItemReader<'s>,
+    table: &Table<'s>,
+) -> (Option<Figure>, Document) {
+    let Some(table) = table.table("figure") else {
+        return (None, Document::default());
+    };
+    let caption = table.text("caption");
+    reader.has_free = table.has("free");
+    reader.moves = table.has("motion");
+    let caption = caption
+        .map(|text| passages::document(reader, &text))
+        .unwrap_or_default();
+    let (figure, mut findings) = Figure::read(&table, &ItemNames::of(reader));
+    reader.findings.append(&mut findings);
+    table.finish();
+    (Some(figure), caption)
 }

@@ -146,33 +146,33 @@ impl<'s> ItemReader<'s> {
             self.plots =
                 crate::numerics::gather(plots.entries().iter().map(|entry| entry.key.clone()));
         }
-        self.data(table);
-        self.quantities(table);
-        let plots = self.plots(table);
+        quantities::data(self, table);
+        quantities::read(self, table);
+        let plots = plots::read(self, table);
         let constraints = self.constraints(table);
         self.constraints = constraints.iter().map(|own| own.node).collect();
-        let (figure, caption) = self.figure(table);
+        let (figure, caption) = figure::read(self, table);
         let statement = table.required_table("statement").map(|statement| {
             let passage = statement
                 .required("text")
-                .map(|text| self.passage(&statement, "text", text));
+                .map(|text| passages::read(self, &statement, "text", text));
             statement.finish();
             passage.unwrap_or_default()
         });
         let solution = table.table("solution").map(|solution| {
             let passage = solution
                 .required("text")
-                .map(|text| self.passage(&solution, "text", text));
+                .map(|text| passages::read(self, &solution, "text", text));
             solution.finish();
             passage.unwrap_or_default()
         });
-        let parts = self.parts(table);
-        let checks = self.checks(table, &parts);
+        let parts = parts::read(self, table);
+        let checks = checks::read(self, table, &parts);
         let allowed = self.allowed(table, &parts);
         let notes = about
             .as_ref()
             .and_then(|about| about.notes.as_ref())
-            .map(|notes| self.text(notes));
+            .map(|notes| passages::of_text(self, notes));
         let template = Template {
             id: item.id,
             revision: item.revision,

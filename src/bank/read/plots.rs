@@ -1,6 +1,6 @@
 //! The tables of plots: variable, curves, marks; the mode shapes of a model.
 
-use super::{ItemError, ItemReader};
+use super::{ItemError, ItemReader, figure::ItemNames, parts, phasors};
 use crate::bank::plot::{Abscissa, Curve, Curves, Mark, ModeShapes, Ordinate, Plot, PlotKind};
 use crate::bank::template::Units;
 use crate::expr::{Constant, Expr, Kind, Name, Path, Shape, Type};
@@ -19,487 +19,531 @@ struct Variable {
     kind: Type,
 }
 
-impl<'s> ItemReader<'s> {
-    /// The plots of the item. The names of all of them are known before the first text is read.
-    pub(crate) fn plots(&mut self, table: &Table<'s>) -> Vec<Plot> {
-        let Some(plots) = table.table("plots") else {
-            return Vec::new();
-        };
-        plots
-            .entries()
-            .iter()
-            .filter_map(|entry| self.plot(&plots, entry))
-            .collect()
-    }
+/// The plots of the item. The names of all of them are known before the first text is read.
+pub(crate) fn read<'s>(reader: &mut ItemReader<'s>, table: &Table<'s>) -> Vec<Plot> {
+    let Some(plots) = table.table("plots") else {
+        return Vec::new();
+    };
+    plots
+        .entries()
+        .iter()
+        .filter_map(|entry| plot(reader, &plots, entry))
+        .collect()
+}
 
-    fn plot(&mut self, plots: &Table<'s>, entry: &'s Entry) -> Option<Plot> {
-        let name = format!("plots.{}", entry.key);
-        let table = Table::of(plots.source(), plots.problems(), &name, &entry.value)?;
-        let kind = table.text("kind");
-        let kind = match kind.as_ref().map_or("curves", |kind| kind.value.as_str()) {
-            "curves" => self.curves(&table, false).map(PlotKind::Curves),
-            "phase-plane" => self.curves(&table, true).map(PlotKind::PhasePlane),
-            "mode-shapes" => self.mode_shapes(&table).map(PlotKind::ModeShapes),
-            "phasors" => self.phasors(&table).map(PlotKind::Phasors),
-            other => {
-                let found = other.to_owned();
-                self.find(&ItemError::PlotKind { found }, &kind.clone()?);
-                return None;
-            }
-        };
-        table.finish();
-        let name = entry.key.clone();
-        kind.map(|kind| Plot { name, kind })
-    }
-
-    fn curves(&mut self, table: &Table<'s>, is_phase_plane: bool) -> Option<Curves> {
-        let x = table.required_table("x");
-        let y = table.table("y");
-        let items = table.required("curves");
-        let marks = table.tables("marks");
-        let (variable, x) = self.abscissa(table.name(), &x?)?;
-        let unit = y.as_ref().and_then(|y| y.text("unit"));
-        let unit = unit.and_then(|unit| self.unit(&unit).map(|read| (read, unit)));
-        let mut curves = Vec::new();
-        for item in self.few(table, "curves", items?) {
-            let inner = Table::of(table.source(), table.problems(), "curves", item);
-            let read = inner.and_then(|inner| {
-                self.curve(table.name(), inner, (&variable, &x.unit), is_phase_plane)
-            });
-            curves.extend(read);
-        }
-        let unit = self.ordinate_unit(&curves, unit, &variable)?;
-        let curves = curves.into_iter().map(|(curve, _)| curve).collect();
-        let y = self.ordinate(table.name(), y, unit, is_phase_plane, &x.unit);
-        let across = if is_phase_plane { y.unit } else { x.unit };
-        let up = if is_phase_plane { y.rate_unit } else { y.unit };
-        let marks = marks
-            .into_iter()
-            .take(MAX_CURVES)
-            .filter_map(|mark| self.mark(table.name(), mark, &[across, up]))
-            .collect();
-        Some(Curves {
-            x,
-            y,
-            curves,
-            marks,
-        })
-    }
-
-    /// The items of an array that has few of them.
-    pub(crate) fn few(
-        &mut self,
-        table: &Table<'s>,
-        key: &'static str,
-        value: &'s Value,
-    ) -> &'s [Value] {
-        let items = table.items(key, value);
-        if items.is_empty() || items.len() > MAX_CURVES {
-            let error = ItemError::CurveCount {
-                found: items.len(),
-                most: MAX_CURVES,
-            };
-            self.find(&error, &place(value));
-        }
-        &items[..items.len().min(MAX_CURVES)]
-    }
-
-    fn abscissa(&mut self, plot: &str, table: &Table<'s>) -> Option<(Variable, Abscissa)> {
-        let name = table.required_text("variable");
-        let range = table.required("range");
-        let unit = table.text("unit");
-        let label = table.text("label");
-        let ticks = table
-            .value("ticks")
-            .and_then(|ticks| table.as_formula("ticks", ticks));
-        let is_logarithmic = table.boolean("log").unwrap_or(false);
-        let range = range.and_then(|range| self.ends(plot, table, "range", range));
-        table.finish_ref();
-        let name = name?;
-        let name = self.variable(&name)?;
-        let (range, _) = range?;
-        let dimension = self.dimension_of(&range);
-        let unit = unit.map(|text| self.unit(&text).map(|unit| (unit, text)));
-        let unit = match unit {
-            Some(Some((unit, text))) => {
-                self.hold(&unit, dimension, &text);
-                unit
-            }
-            Some(None) => return None,
-            None => self.unit_of_name(&name, dimension),
-        };
-        let label = match &label {
-            Some(label) => self.plot_label(label),
-            None => self.names().symbol(&name),
-        };
-        let ticks = ticks.and_then(|text| self.ticks(plot, &text, &unit));
-        let kind = Type::real(unit.dimension());
-        let abscissa = Abscissa {
-            range,
-            unit,
-            label,
-            ticks,
-            is_logarithmic,
-        };
-        Some((Variable { name, kind }, abscissa))
-    }
-
-    /// The name of a variable: any, also one that the item has.
-    fn variable(&mut self, text: &Text) -> Option<Name> {
-        if text.value == "t" {
-            return Some(Name::new("t"));
-        }
-        self.name(&text.value, text.span)
-    }
-
-    /// Two formulas for numbers of one dimension.
-    fn ends(
-        &mut self,
-        plot: &str,
-        table: &Table<'s>,
-        key: &'static str,
-        value: &'s Value,
-    ) -> Option<([NodeId; 2], Text)> {
-        let items = table.items(key, value);
-        let [from, to] = items else {
-            self.find(&ItemError::PlotPair, &place(value));
-            return None;
-        };
-        let mut end = |name: &str, value: &'s Value| {
-            let text = table.as_formula(key, value)?;
-            self.number(&format!("{plot}: {name}"), &text)
-        };
-        let (from, to) = (end("from", from), end("to", to));
-        Some(([from?, to?], place(value)))
-    }
-
-    /// A formula that is one real number for given data.
-    fn number(&mut self, label: &str, text: &Text) -> Option<NodeId> {
-        let node = self.formula(label, text)?;
-        self.real(node, text)?;
-        let variables = self.graph.variables(node);
-        if let Some(of) = variables.first() {
-            let of = of.to_string();
-            self.find(&ItemError::PlotVariable { of }, text);
+fn plot<'s>(reader: &mut ItemReader<'s>, plots: &Table<'s>, entry: &'s Entry) -> Option<Plot> {
+    let name = format!("plots.{}", entry.key);
+    let table = Table::of(plots.source(), plots.problems(), &name, &entry.value)?;
+    let kind = table.text("kind");
+    let kind = match kind.as_ref().map_or("curves", |kind| kind.value.as_str()) {
+        "curves" => curves(reader, &table, false).map(PlotKind::Curves),
+        "phase-plane" => curves(reader, &table, true).map(PlotKind::PhasePlane),
+        "mode-shapes" => mode_shapes(reader, &table).map(PlotKind::ModeShapes),
+        "phasors" => phasors::read(reader, &table).map(PlotKind::Phasors),
+        other => {
+            let found = other.to_owned();
+            reader.find(&ItemError::PlotKind { found }, &kind.clone()?);
             return None;
         }
-        Some(node)
-    }
+    };
+    table.finish();
+    let name = entry.key.clone();
+    kind.map(|kind| Plot { name, kind })
+}
 
-    /// A finding unless a formula is a real number.
-    fn real(&mut self, node: NodeId, text: &Text) -> Option<()> {
-        let is_real = self
-            .graph
-            .kind(node)
-            .is_some_and(|kind| kind.form() == crate::expr::Form::REAL);
-        if !is_real {
-            self.find(&ItemError::PlotValue, text);
-        }
-        is_real.then_some(())
-    }
-
-    pub(crate) fn dimension_of(&self, nodes: &[NodeId]) -> Option<Dimension> {
-        let dimension = |node: &NodeId| self.graph.kind(*node).and_then(Type::dimension);
-        nodes.iter().find_map(dimension)
-    }
-
-    /// The unit in which a name is declared, if it has this dimension; else the coherent unit.
-    fn unit_of_name(&self, name: &Name, dimension: Option<Dimension>) -> Unit {
-        let node = self.graph.find(name);
-        let info = node.and_then(|node| self.quantities.get(&node));
-        let declared = match info.and_then(|info| info.units.as_ref()) {
-            Some(Units::One(unit)) => Some(*unit),
-            _ => None,
-        };
-        declared
-            .filter(|unit| dimension.is_none_or(|dimension| unit.dimension() == dimension))
-            .unwrap_or_else(|| coherent(dimension))
-    }
-
-    /// The distance of ticks; a share of π gives labels that are shares of π.
-    fn ticks(&mut self, plot: &str, text: &Text, unit: &Unit) -> Option<(NodeId, bool)> {
-        let node = self.number(&format!("{plot}: ticks"), text)?;
-        self.hold(unit, self.dimension_of(&[node]), text);
-        let mut is_share = false;
-        Expr::read(&text.value).ok()?.walk(&mut |node| {
-            is_share |= matches!(node.kind(), Kind::Constant(Constant::Pi));
+fn curves<'s>(
+    reader: &mut ItemReader<'s>,
+    table: &Table<'s>,
+    is_phase_plane: bool,
+) -> Option<Curves> {
+    let x = table.required_table("x");
+    let y = table.table("y");
+    let items = table.required("curves");
+    let marks = table.tables("marks");
+    let (variable, x) = abscissa(reader, table.name(), &x?)?;
+    let unit = y.as_ref().and_then(|y| y.text("unit"));
+    let unit = unit.and_then(|unit| reader.unit(&unit).map(|read| (read, unit)));
+    let mut curves = Vec::new();
+    for item in few(reader, table, "curves", items?) {
+        let inner = Table::of(table.source(), table.problems(), "curves", item);
+        let read = inner.and_then(|inner| {
+            curve(
+                reader,
+                table.name(),
+                inner,
+                (&variable, &x.unit),
+                is_phase_plane,
+            )
         });
-        Some((node, is_share))
+        curves.extend(read);
     }
+    let unit = ordinate_unit(reader, &curves, unit, &variable)?;
+    let curves = curves.into_iter().map(|(curve, _)| curve).collect();
+    let y = ordinate(reader, table.name(), y, unit, is_phase_plane, &x.unit);
+    let across = if is_phase_plane { y.unit } else { x.unit };
+    let up = if is_phase_plane { y.rate_unit } else { y.unit };
+    let marks = marks
+        .into_iter()
+        .take(MAX_CURVES)
+        .filter_map(|own| mark(reader, table.name(), own, &[across, up]))
+        .collect();
+    Some(Curves {
+        x,
+        y,
+        curves,
+        marks,
+    })
+}
 
-    /// A finding unless a unit has this dimension; zero has every dimension.
-    pub(crate) fn hold(&mut self, unit: &Unit, dimension: Option<Dimension>, text: &Text) {
-        if let Some(found) = dimension.filter(|found| *found != unit.dimension()) {
-            let error = ItemError::PlotUnit {
-                unit: unit.to_string(),
-                found: found.describe(),
-            };
-            self.find(&error, text);
-        }
-    }
-
-    /// A curve, and the text of its formula.
-    fn curve(
-        &mut self,
-        plot: &str,
-        table: Table<'s>,
-        (variable, unit): (&Variable, &Unit),
-        is_phase_plane: bool,
-    ) -> Option<(Curve, Text)> {
-        let y = table.required("y").and_then(|y| table.as_formula("y", y));
-        let label = table.text("label").map(|label| self.plot_label(&label));
-        let style = self.style(&table);
-        let with = table.table("with");
-        let with = with.map_or(Vec::new(), |with| self.replacements(&with));
-        let range = table.value("range");
-        let range = range.and_then(|value| self.ends(plot, &table, "range", value));
-        if let Some((ends, place)) = &range {
-            self.hold(unit, self.dimension_of(ends), place);
-        }
-        table.finish();
-        let text = y?;
-        let expr = self.expr(&text)?;
-        let node = self.over(&format!("{plot}: curve"), expr.clone(), &text, variable)?;
-        let is_band = style == CurveStyle::Band && !is_phase_plane;
-        let shape = self.graph.kind(node)?.shape();
-        if is_band && shape != Shape::Vector(2) {
-            self.find(&ItemError::PlotBand, &text);
-            return None;
-        }
-        if !is_band {
-            self.real(node, &text)?;
-        }
-        let rate = if is_phase_plane {
-            let rate = Expr::derived(Kind::Diff(expr, vec![variable.name.clone()]));
-            Some(self.over(&format!("{plot}: rate"), rate, &text, variable)?)
-        } else {
-            None
+/// The items of an array that has few of them.
+pub(crate) fn few<'s>(
+    reader: &mut ItemReader<'s>,
+    table: &Table<'s>,
+    key: &'static str,
+    value: &'s Value,
+) -> &'s [Value] {
+    let items = table.items(key, value);
+    if items.is_empty() || items.len() > MAX_CURVES {
+        let error = ItemError::CurveCount {
+            found: items.len(),
+            most: MAX_CURVES,
         };
-        let curve = Curve {
-            y: node,
+        reader.find(&error, &place(value));
+    }
+    &items[..items.len().min(MAX_CURVES)]
+}
+
+fn abscissa<'s>(
+    reader: &mut ItemReader<'s>,
+    plot: &str,
+    table: &Table<'s>,
+) -> Option<(Variable, Abscissa)> {
+    let name = table.required_text("variable");
+    let range = table.required("range");
+    let unit = table.text("unit");
+    let label = table.text("label");
+    let ticks = table
+        .value("ticks")
+        .and_then(|ticks| table.as_formula("ticks", ticks));
+    let is_logarithmic = table.boolean("log").unwrap_or(false);
+    let range = range.and_then(|range| ends(reader, plot, table, "range", range));
+    table.finish_ref();
+    let name = name?;
+    let name = variable(reader, &name)?;
+    let (range, _) = range?;
+    let dimension = dimension_of(reader, &range);
+    let unit = unit.map(|text| reader.unit(&text).map(|unit| (unit, text)));
+    let unit = match unit {
+        Some(Some((unit, text))) => {
+            hold(reader, &unit, dimension, &text);
+            unit
+        }
+        Some(None) => return None,
+        None => unit_of_name(reader, &name, dimension),
+    };
+    let label = match &label {
+        Some(label) => label_of(reader, label),
+        None => ItemNames::of(reader).symbol(&name),
+    };
+    let ticks = ticks.and_then(|text| tick_distance(reader, plot, &text, &unit));
+    let kind = Type::real(unit.dimension());
+    let abscissa = Abscissa {
+        range,
+        unit,
+        label,
+        ticks,
+        is_logarithmic,
+    };
+    Some((Variable { name, kind }, abscissa))
+}
+
+/// The name of a variable: any, also one that the item has.
+fn variable(reader: &mut ItemReader<'_>, text: &Text) -> Option<Name> {
+    if text.value == "t" {
+        return Some(Name::new("t"));
+    }
+    reader.name(&text.value, text.span)
+}
+
+/// Two formulas for numbers of one dimension.
+fn ends<'s>(
+    reader: &mut ItemReader<'s>,
+    plot: &str,
+    table: &Table<'s>,
+    key: &'static str,
+    value: &'s Value,
+) -> Option<([NodeId; 2], Text)> {
+    let items = table.items(key, value);
+    let [from, to] = items else {
+        reader.find(&ItemError::PlotPair, &place(value));
+        return None;
+    };
+    let mut end = |name: &str, value: &'s Value| {
+        let text = table.as_formula(key, value)?;
+        number(reader, &format!("{plot}: {name}"), &text)
+    };
+    let (from, to) = (end("from", from), end("to", to));
+    Some(([from?, to?], place(value)))
+}
+
+/// A formula that is one real number for given data.
+fn number(reader: &mut ItemReader<'_>, label: &str, text: &Text) -> Option<NodeId> {
+    let node = reader.formula(label, text)?;
+    real(reader, node, text)?;
+    let variables = reader.graph.variables(node);
+    if let Some(of) = variables.first() {
+        let of = of.to_string();
+        reader.find(&ItemError::PlotVariable { of }, text);
+        return None;
+    }
+    Some(node)
+}
+
+/// A finding unless a formula is a real number.
+fn real(reader: &mut ItemReader<'_>, node: NodeId, text: &Text) -> Option<()> {
+    let is_real = reader
+        .graph
+        .kind(node)
+        .is_some_and(|kind| kind.form() == crate::expr::Form::REAL);
+    if !is_real {
+        reader.find(&ItemError::PlotValue, text);
+    }
+    is_real.then_some(())
+}
+
+pub(crate) fn dimension_of(reader: &ItemReader<'_>, nodes: &[NodeId]) -> Option<Dimension> {
+    let dimension = |node: &NodeId| reader.graph.kind(*node).and_then(Type::dimension);
+    nodes.iter().find_map(dimension)
+}
+
+/// The unit in which a name is declared, if it has this dimension; else the coherent unit.
+fn unit_of_name(reader: &ItemReader<'_>, name: &Name, dimension: Option<Dimension>) -> Unit {
+    let node = reader.graph.find(name);
+    let info = node.and_then(|node| reader.quantities.get(&node));
+    let declared = match info.and_then(|info| info.units.as_ref()) {
+        Some(Units::One(unit)) => Some(*unit),
+        _ => None,
+    };
+    declared
+        .filter(|unit| dimension.is_none_or(|dimension| unit.dimension() == dimension))
+        .unwrap_or_else(|| coherent(dimension))
+}
+
+/// The distance of ticks; a share of π gives labels that are shares of π.
+fn tick_distance(
+    reader: &mut ItemReader<'_>,
+    plot: &str,
+    text: &Text,
+    unit: &Unit,
+) -> Option<(NodeId, bool)> {
+    let node = number(reader, &format!("{plot}: ticks"), text)?;
+    let dimension = dimension_of(reader, &[node]);
+    hold(reader, unit, dimension, text);
+    let mut is_share = false;
+    Expr::read(&text.value).ok()?.walk(&mut |node| {
+        is_share |= matches!(node.kind(), Kind::Constant(Constant::Pi));
+    });
+    Some((node, is_share))
+}
+
+/// A finding unless a unit has this dimension; zero has every dimension.
+pub(crate) fn hold(
+    reader: &mut ItemReader<'_>,
+    unit: &Unit,
+    dimension: Option<Dimension>,
+    text: &Text,
+) {
+    if let Some(found) = dimension.filter(|found| *found != unit.dimension()) {
+        let error = ItemError::PlotUnit {
+            unit: unit.to_string(),
+            found: found.describe(),
+        };
+        reader.find(&error, text);
+    }
+}
+
+/// A curve, and the text of its formula.
+fn curve<'s>(
+    reader: &mut ItemReader<'s>,
+    plot: &str,
+    table: Table<'s>,
+    (variable, unit): (&Variable, &Unit),
+    is_phase_plane: bool,
+) -> Option<(Curve, Text)> {
+    let y = table.required("y").and_then(|y| table.as_formula("y", y));
+    let label = table.text("label").map(|label| label_of(reader, &label));
+    let style = style(reader, &table);
+    let with = table.table("with");
+    let with = with.map_or(Vec::new(), |with| parts::replacements(reader, &with));
+    let range = table.value("range");
+    let range = range.and_then(|value| ends(reader, plot, &table, "range", value));
+    if let Some((ends, place)) = &range {
+        let dimension = dimension_of(reader, ends);
+        hold(reader, unit, dimension, place);
+    }
+    table.finish();
+    let text = y?;
+    let expr = reader.expr(&text)?;
+    let node = over(
+        reader,
+        &format!("{plot}: curve"),
+        expr.clone(),
+        &text,
+        variable,
+    )?;
+    let is_band = style == CurveStyle::Band && !is_phase_plane;
+    let shape = reader.graph.kind(node)?.shape();
+    if is_band && shape != Shape::Vector(2) {
+        reader.find(&ItemError::PlotBand, &text);
+        return None;
+    }
+    if !is_band {
+        real(reader, node, &text)?;
+    }
+    let rate = if is_phase_plane {
+        let rate = Expr::derived(Kind::Diff(expr, vec![variable.name.clone()]));
+        Some(over(
+            reader,
+            &format!("{plot}: rate"),
             rate,
-            label,
-            style,
-            with,
-            range: range.map(|(ends, _)| ends),
-        };
-        Some((curve, text))
-    }
+            &text,
+            variable,
+        )?)
+    } else {
+        None
+    };
+    let curve = Curve {
+        y: node,
+        rate,
+        label,
+        style,
+        with,
+        range: range.map(|(ends, _)| ends),
+    };
+    Some((curve, text))
+}
 
-    /// How a curve or phasor is drawn.
-    pub(crate) fn style(&mut self, table: &Table<'s>) -> CurveStyle {
-        let Some(text) = table.text("style") else {
-            return CurveStyle::Auto;
-        };
-        CurveStyle::of_name(&text.value).unwrap_or_else(|| {
-            let found = text.value.clone();
-            self.find(&ItemError::PlotStyle { found }, &text);
-            CurveStyle::Auto
-        })
-    }
+/// How a curve or phasor is drawn.
+pub(crate) fn style<'s>(reader: &mut ItemReader<'s>, table: &Table<'s>) -> CurveStyle {
+    let Some(text) = table.text("style") else {
+        return CurveStyle::Auto;
+    };
+    CurveStyle::of_name(&text.value).unwrap_or_else(|| {
+        let found = text.value.clone();
+        reader.find(&ItemError::PlotStyle { found }, &text);
+        CurveStyle::Auto
+    })
+}
 
-    /// A formula over the variable of the plot.
-    fn over(
-        &mut self,
-        label: &str,
-        expr: Expr,
-        text: &Text,
-        variable: &Variable,
-    ) -> Option<NodeId> {
-        let kind = variable.kind.clone();
-        let node = match self.graph.formula_over(label, expr, &variable.name, kind) {
-            Ok(node) => node,
-            Err(errors) => {
-                errors.iter().for_each(|error| self.find(error, text));
-                return None;
-            }
+/// A formula over the variable of the plot.
+fn over(
+    reader: &mut ItemReader<'_>,
+    label: &str,
+    expr: Expr,
+    text: &Text,
+    variable: &Variable,
+) -> Option<NodeId> {
+    let kind = variable.kind.clone();
+    let node = match reader.graph.formula_over(label, expr, &variable.name, kind) {
+        Ok(node) => node,
+        Err(errors) => {
+            errors.iter().for_each(|error| reader.find(error, text));
+            return None;
+        }
+    };
+    let names = reader.graph.variables(node);
+    if let [_, other, ..] = names.as_slice() {
+        let of = if *other == variable.name {
+            &names[0]
+        } else {
+            other
         };
-        let names = self.graph.variables(node);
-        if let [_, other, ..] = names.as_slice() {
-            let of = if *other == variable.name {
-                &names[0]
+        let of = of.to_string();
+        reader.find(&ItemError::PlotVariable { of }, text);
+        return None;
+    }
+    if let [only] = names.as_slice()
+        && reader.graph.find(&variable.name).is_none()
+        && *only != variable.name
+    {
+        let of = only.to_string();
+        reader.find(&ItemError::PlotVariable { of }, text);
+        return None;
+    }
+    Some(node)
+}
+
+/// The unit of the values: what is written, else that of the first curve; all curves agree with it.
+fn ordinate_unit(
+    reader: &mut ItemReader<'_>,
+    curves: &[(Curve, Text)],
+    written: Option<(Unit, Text)>,
+    variable: &Variable,
+) -> Option<Unit> {
+    let dimension = |reader: &ItemReader<'_>, curve: &Curve| {
+        let kind = reader.graph.kind(curve.y)?;
+        kind.entries().flatten().next()
+    };
+    let unit = match &written {
+        Some((unit, _)) => *unit,
+        None => {
+            let (first, text) = curves.first()?;
+            let found = dimension(reader, first);
+            let name = Name::new(text.value.trim());
+            let is_variable = name == variable.name;
+            if is_variable {
+                coherent(found)
             } else {
-                other
-            };
-            let of = of.to_string();
-            self.find(&ItemError::PlotVariable { of }, text);
-            return None;
+                unit_of_name(reader, &name, found)
+            }
         }
-        if let [only] = names.as_slice()
-            && self.graph.find(&variable.name).is_none()
-            && *only != variable.name
-        {
-            let of = only.to_string();
-            self.find(&ItemError::PlotVariable { of }, text);
-            return None;
+    };
+    for (curve, text) in curves {
+        let found = dimension(reader, curve);
+        hold(reader, &unit, found, text);
+    }
+    Some(unit)
+}
+
+fn ordinate<'s>(
+    reader: &mut ItemReader<'s>,
+    plot: &str,
+    table: Option<Table<'s>>,
+    unit: Unit,
+    is_phase_plane: bool,
+    variable: &Unit,
+) -> Ordinate {
+    let mut ordinate = Ordinate {
+        unit,
+        rate_unit: unit,
+        label: None,
+        range: None,
+        is_logarithmic: false,
+    };
+    if is_phase_plane {
+        let per = variable.pow(crate::unit::Rational::integer(-1));
+        let rate = per.and_then(|per| unit.times(&per));
+        ordinate.rate_unit = rate.unwrap_or(unit);
+    }
+    let Some(table) = table else {
+        return ordinate;
+    };
+    ordinate.label = table.text("label").map(|label| label_of(reader, &label));
+    ordinate.is_logarithmic = table.boolean("log").unwrap_or(false);
+    if let Some(value) = table.value("range") {
+        let ends = ends(reader, plot, &table, "range", value);
+        if let Some((ends, place)) = ends {
+            let dimension = dimension_of(reader, &ends);
+            hold(reader, &unit, dimension, &place);
+            ordinate.range = Some(ends);
         }
+    }
+    table.finish();
+    ordinate
+}
+
+fn mark<'s>(
+    reader: &mut ItemReader<'s>,
+    plot: &str,
+    table: Table<'s>,
+    units: &[Unit; 2],
+) -> Option<Mark> {
+    let at = table.required("at");
+    let label = table.text("label").map(|label| label_of(reader, &label));
+    table.finish();
+    let value = at?;
+    let [across, up] = table_pair(reader, value)?;
+    let mut coordinate = |value: &'s Value, unit: Unit| {
+        let Data::Text(text) = &value.data else {
+            let found = place(value);
+            reader.find(&ItemError::PlotValue, &found);
+            return None;
+        };
+        let text = Text {
+            value: text.clone(),
+            span: value.span,
+        };
+        let node = number(reader, &format!("{plot}: mark"), &text)?;
+        let dimension = dimension_of(reader, &[node]);
+        hold(reader, &unit, dimension, &text);
         Some(node)
-    }
+    };
+    let (across, up) = (coordinate(across, units[0]), coordinate(up, units[1]));
+    Some(Mark {
+        at: [across?, up?],
+        label,
+    })
+}
 
-    /// The unit of the values: what is written, else that of the first curve; all curves agree with it.
-    fn ordinate_unit(
-        &mut self,
-        curves: &[(Curve, Text)],
-        written: Option<(Unit, Text)>,
-        variable: &Variable,
-    ) -> Option<Unit> {
-        let dimension = |reader: &Self, curve: &Curve| {
-            let kind = reader.graph.kind(curve.y)?;
-            kind.entries().flatten().next()
-        };
-        let unit = match &written {
-            Some((unit, _)) => *unit,
-            None => {
-                let (first, text) = curves.first()?;
-                let found = dimension(self, first);
-                let name = Name::new(text.value.trim());
-                let is_variable = name == variable.name;
-                if is_variable {
-                    coherent(found)
-                } else {
-                    self.unit_of_name(&name, found)
-                }
-            }
-        };
-        for (curve, text) in curves {
-            self.hold(&unit, dimension(self, curve), text);
-        }
-        Some(unit)
-    }
-
-    fn ordinate(
-        &mut self,
-        plot: &str,
-        table: Option<Table<'s>>,
-        unit: Unit,
-        is_phase_plane: bool,
-        variable: &Unit,
-    ) -> Ordinate {
-        let mut ordinate = Ordinate {
-            unit,
-            rate_unit: unit,
-            label: None,
-            range: None,
-            is_logarithmic: false,
-        };
-        if is_phase_plane {
-            let per = variable.pow(crate::unit::Rational::integer(-1));
-            let rate = per.and_then(|per| unit.times(&per));
-            ordinate.rate_unit = rate.unwrap_or(unit);
-        }
-        let Some(table) = table else {
-            return ordinate;
-        };
-        ordinate.label = table.text("label").map(|label| self.plot_label(&label));
-        ordinate.is_logarithmic = table.boolean("log").unwrap_or(false);
-        if let Some(value) = table.value("range") {
-            let ends = self.ends(plot, &table, "range", value);
-            if let Some((ends, place)) = ends {
-                self.hold(&unit, self.dimension_of(&ends), &place);
-                ordinate.range = Some(ends);
+fn mode_shapes<'s>(reader: &mut ItemReader<'s>, table: &Table<'s>) -> Option<ModeShapes> {
+    let model = table.text("model");
+    let beginning = model.as_ref().map_or("model", |text| text.value.as_str());
+    let text = model.clone().unwrap_or(Text {
+        value: String::new(),
+        span: table.span(),
+    });
+    let Some(derived) = reader.graph.derived(beginning) else {
+        let found = beginning.to_owned();
+        reader.find(&ItemError::PlotModel { found }, &text);
+        return None;
+    };
+    let names: Vec<Name> = derived.coordinates().to_vec();
+    let mut offered = |quantity: &str| {
+        let path = beginning.split('.').chain([quantity]).map(Name::new);
+        let expr = Expr::derived(Kind::Path(Path::new(path.collect::<Vec<_>>())));
+        let label = format!("{}: {quantity}", table.name());
+        match reader.graph.formula(label, expr) {
+            Ok(node) => Some(node),
+            Err(errors) => {
+                errors.iter().for_each(|error| reader.find(error, &text));
+                None
             }
         }
-        table.finish();
-        ordinate
-    }
+    };
+    let shapes = offered("mode_shapes");
+    let frequencies = offered("natural_angular_frequencies");
+    let masses = offered("M");
+    let shapes = shapes?;
+    let kind = reader.graph.kind(shapes)?.clone();
+    let first = kind.entry(0);
+    let unit = |column: usize| {
+        let ratio = kind
+            .entry(column)
+            .zip(first)
+            .map(|(own, first)| own / first);
+        coherent(ratio)
+    };
+    let units: Vec<Unit> = (0..names.len()).map(unit).collect();
+    let is_uniform = units.iter().all(|unit| unit.dimension().is_pure());
+    Some(ModeShapes {
+        shapes,
+        frequencies: frequencies?,
+        masses: masses.filter(|_| !is_uniform),
+        coordinates: names
+            .iter()
+            .map(|name| coordinate_symbol(reader, name))
+            .collect(),
+        units,
+    })
+}
 
-    fn mark(&mut self, plot: &str, table: Table<'s>, units: &[Unit; 2]) -> Option<Mark> {
-        let at = table.required("at");
-        let label = table.text("label").map(|label| self.plot_label(&label));
-        table.finish();
-        let value = at?;
-        let [across, up] = table_pair(self, value)?;
-        let mut coordinate = |value: &'s Value, unit: Unit| {
-            let Data::Text(text) = &value.data else {
-                let found = place(value);
-                self.find(&ItemError::PlotValue, &found);
-                return None;
-            };
-            let text = Text {
-                value: text.clone(),
-                span: value.span,
-            };
-            let node = self.number(&format!("{plot}: mark"), &text)?;
-            self.hold(&unit, self.dimension_of(&[node]), &text);
-            Some(node)
-        };
-        let (across, up) = (coordinate(across, units[0]), coordinate(up, units[1]));
-        Some(Mark {
-            at: [across?, up?],
-            label,
-        })
-    }
+/// The symbol of a coordinate, also where a quantity bears its name.
+fn coordinate_symbol(reader: &ItemReader<'_>, name: &Name) -> Math {
+    let known = reader.free.iter().find(|known| known.name == *name);
+    known.map_or_else(
+        || crate::math::symbol(name.as_str()),
+        |known| Math::clone(&known.symbol),
+    )
+}
 
-    fn mode_shapes(&mut self, table: &Table<'s>) -> Option<ModeShapes> {
-        let model = table.text("model");
-        let beginning = model.as_ref().map_or("model", |text| text.value.as_str());
-        let text = model.clone().unwrap_or(Text {
-            value: String::new(),
-            span: table.span(),
-        });
-        let Some(derived) = self.graph.derived(beginning) else {
-            let found = beginning.to_owned();
-            self.find(&ItemError::PlotModel { found }, &text);
-            return None;
-        };
-        let names: Vec<Name> = derived.coordinates().to_vec();
-        let mut offered = |quantity: &str| {
-            let path = beginning.split('.').chain([quantity]).map(Name::new);
-            let expr = Expr::derived(Kind::Path(Path::new(path.collect::<Vec<_>>())));
-            let label = format!("{}: {quantity}", table.name());
-            match self.graph.formula(label, expr) {
-                Ok(node) => Some(node),
-                Err(errors) => {
-                    errors.iter().for_each(|error| self.find(error, &text));
-                    None
-                }
-            }
-        };
-        let shapes = offered("mode_shapes");
-        let frequencies = offered("natural_angular_frequencies");
-        let masses = offered("M");
-        let shapes = shapes?;
-        let kind = self.graph.kind(shapes)?.clone();
-        let first = kind.entry(0);
-        let unit = |column: usize| {
-            let ratio = kind
-                .entry(column)
-                .zip(first)
-                .map(|(own, first)| own / first);
-            coherent(ratio)
-        };
-        let units: Vec<Unit> = (0..names.len()).map(unit).collect();
-        let is_uniform = units.iter().all(|unit| unit.dimension().is_pure());
-        Some(ModeShapes {
-            shapes,
-            frequencies: frequencies?,
-            masses: masses.filter(|_| !is_uniform),
-            coordinates: names
-                .iter()
-                .map(|name| self.coordinate_symbol(name))
-                .collect(),
-            units,
-        })
+/// What stands at a curve, mark or axis.
+pub(crate) fn label_of(reader: &mut ItemReader<'_>, text: &Text) -> Math {
+    let mut errors = Vec::new();
+    let label = reader.texts.label(text, &mut errors);
+    for error in &errors {
+        reader.find(&**error, text);
     }
-
-    /// The symbol of a coordinate, also where a quantity bears its name.
-    fn coordinate_symbol(&self, name: &Name) -> Math {
-        let known = self.free.iter().find(|known| known.name == *name);
-        known.map_or_else(
-            || crate::math::symbol(name.as_str()),
-            |known| Math::clone(&known.symbol),
-        )
-    }
-
-    /// What stands at a curve, mark or axis.
-    pub(crate) fn plot_label(&mut self, text: &Text) -> Math {
-        let mut errors = Vec::new();
-        let label = self.texts.label(text, &mut errors);
-        for error in &errors {
-            self.find(&**error, text);
-        }
-        label.unwrap_or_else(|| Math::text("?"))
-    }
+    label.unwrap_or_else(|| Math::text("?"))
 }
 
 fn table_pair<'s>(reader: &mut ItemReader<'s>, value: &'s Value) -> Option<[&'s Value; 2]> {

@@ -62,10 +62,10 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     };
     // The manifests last: while they know the student, an interrupted removal is taken up by the same command.
     for (folder, inside) in &places {
-        task.tables(folder, inside)?;
-        task.overviews(folder, inside)?;
+        rows::remove(&mut task, folder, inside)?;
+        rows::remove_overviews(&mut task, folder, inside)?;
     }
-    task.sheets(&out, manifests)?;
+    sheets::remove(&mut task, &out, manifests)?;
     task.report(&places);
     Ok(Outcome::Done)
 }

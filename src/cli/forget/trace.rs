@@ -68,6 +68,14 @@ impl Person {
         }
     }
 
+    /// Whether a row or an entry with this code and this student is theirs.
+    pub(crate) fn is_own(&self, code: &str, student: &str) -> bool {
+        match &self.id {
+            Some(id) if !student.is_empty() => id == student,
+            _ => self.codes.contains(code),
+        }
+    }
+
     /// Whether a name is theirs.
     pub(crate) fn is_named(&self, name: &str) -> bool {
         self.names.contains(&composed(name.trim().to_owned()))

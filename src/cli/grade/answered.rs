@@ -60,48 +60,46 @@ impl<'a> Answered<'a> {
     }
 }
 
-impl Marker<'_> {
-    /// The parts of a question as they were handed out and answered.
-    pub(crate) fn answered<'q>(
-        &'q self,
-        code: &str,
-        question: &'q QuestionEntry,
-        template: &Template,
-    ) -> Result<Vec<Answered<'q>>, Failure> {
-        let place = |entry: &PartEntry| {
-            let found = template.place(&entry.id);
-            found.ok_or_else(|| {
-                let id = &entry.id;
-                Failure::new(format!("`{}` has no part `{id}` any more", template.id))
-            })
+/// The parts of a question as they were handed out and answered.
+pub(crate) fn parts<'q>(
+    marker: &Marker<'q>,
+    code: &str,
+    question: &'q QuestionEntry,
+    template: &Template,
+) -> Result<Vec<Answered<'q>>, Failure> {
+    let place = |entry: &PartEntry| {
+        let found = template.place(&entry.id);
+        found.ok_or_else(|| {
+            let id = &entry.id;
+            Failure::new(format!("`{}` has no part `{id}` any more", template.id))
+        })
+    };
+    let places = question
+        .parts
+        .iter()
+        .map(place)
+        .collect::<Result<Vec<_>, _>>()?;
+    let parts = question.parts.iter().zip(places);
+    let answered = parts.map(|(entry, place)| {
+        let at = Place {
+            code: code.to_owned(),
+            question: question.number,
+            part: entry.letter.clone(),
         };
-        let places = question
-            .parts
-            .iter()
-            .map(place)
-            .collect::<Result<Vec<_>, _>>()?;
-        let parts = question.parts.iter().zip(places);
-        let answered = parts.map(|(entry, place)| {
-            let at = Place {
-                code: code.to_owned(),
-                question: question.number,
-                part: entry.letter.clone(),
-            };
-            let given = self.responses.given(&at);
-            let alike = AlikeAnswers::new(template.id.as_str(), &entry.id, given.text);
-            Answered {
-                entry,
-                place,
-                max: exact(entry.points),
-                is_by_hand: template.parts[place].answer.kind().is_by_hand(),
-                given: given.text,
-                is_open: given.is_open,
-                ruling: self.decisions.ruling(&at, &alike),
-                line: given.line,
-            }
-        });
-        Ok(answered.collect())
-    }
+        let given = marker.responses.given(&at);
+        let alike = AlikeAnswers::new(template.id.as_str(), &entry.id, given.text);
+        Answered {
+            entry,
+            place,
+            max: exact(entry.points),
+            is_by_hand: template.parts[place].answer.kind().is_by_hand(),
+            given: given.text,
+            is_open: given.is_open,
+            ruling: marker.decisions.ruling(&at, &alike),
+            line: given.line,
+        }
+    });
+    Ok(answered.collect())
 }
 
 /// Points as the manifest states them: decimals, as they were handed out.

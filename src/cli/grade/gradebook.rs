@@ -20,14 +20,14 @@ use crate::cli::table::Dialect;
 
 /// A platform with a gradebook.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
-pub(crate) enum Platform {
+pub(crate) enum GradebookPlatform {
     Moodle,
     Canvas,
 }
 
 /// The rows of a gradebook while sheets are marked.
 pub(crate) struct Gradebook {
-    platform: Platform,
+    platform: GradebookPlatform,
     /// The column of the class list by which the platform knows students.
     column: String,
     rows: Vec<Row>,
@@ -51,7 +51,7 @@ pub(crate) const FILE: &str = "gradebook.csv";
 impl Gradebook {
     /// One of students who are known by a column of their list, which has to be one of `columns`.
     pub(crate) fn new(
-        platform: Platform,
+        platform: GradebookPlatform,
         column: &str,
         columns: &BTreeSet<String>,
     ) -> Result<Self, Failure> {
@@ -99,13 +99,13 @@ impl Gradebook {
     /// The heading under which the platform looks for students.
     fn heading(&self) -> &str {
         match (self.platform, self.column.as_str()) {
-            (Platform::Moodle, "id") => "ID number",
-            (Platform::Moodle, "email") => "Email address",
-            (Platform::Moodle, "username") => "Username",
-            (Platform::Canvas, "id") => "SIS User ID",
-            (Platform::Canvas, "email" | "username" | "login") => "SIS Login ID",
-            (Platform::Canvas, _) => "ID",
-            (Platform::Moodle, other) => other,
+            (GradebookPlatform::Moodle, "id") => "ID number",
+            (GradebookPlatform::Moodle, "email") => "Email address",
+            (GradebookPlatform::Moodle, "username") => "Username",
+            (GradebookPlatform::Canvas, "id") => "SIS User ID",
+            (GradebookPlatform::Canvas, "email" | "username" | "login") => "SIS Login ID",
+            (GradebookPlatform::Canvas, _) => "ID",
+            (GradebookPlatform::Moodle, other) => other,
         }
     }
 
@@ -114,8 +114,8 @@ impl Gradebook {
         let dialect = Dialect::new(Csv::Plain, '.');
         let heading = self.heading();
         let mut table = match self.platform {
-            Platform::Moodle => dialect.head(&[heading, title])?,
-            Platform::Canvas => {
+            GradebookPlatform::Moodle => dialect.head(&[heading, title])?,
+            GradebookPlatform::Canvas => {
                 let columns = [
                     "Student",
                     "ID",
@@ -132,11 +132,11 @@ impl Gradebook {
         };
         for row in &self.rows {
             table.extend(match self.platform {
-                Platform::Moodle => match &row.points {
+                GradebookPlatform::Moodle => match &row.points {
                     Some(points) => dialect.line(&[&row.id, points])?,
                     None => continue,
                 },
-                Platform::Canvas => {
+                GradebookPlatform::Canvas => {
                     let under = |own: &str| {
                         if own == heading && row.id != row.canvas {
                             row.id.as_str()

@@ -11,7 +11,7 @@ use vibank::numerics::Rational;
 use super::outcome::sum;
 
 /// What is given at most for a part and each row of its rubric, on one sheet.
-pub(crate) struct Sheet<'a> {
+pub(crate) struct PartRubric<'a> {
     rubric: &'a [Criterion],
     shares: Vec<Rational>,
     max: Rational,
@@ -25,7 +25,7 @@ pub(crate) struct Hand {
     rows: Option<Vec<Rational>>,
 }
 
-impl<'a> Sheet<'a> {
+impl<'a> PartRubric<'a> {
     /// A part with this rubric that is worth this many points.
     pub(crate) fn of(rubric: &'a [Criterion], max: Rational, decimal: char) -> Self {
         let weights: Vec<Rational> = rubric.iter().map(|row| row.points).collect();

@@ -93,7 +93,7 @@ impl Handed {
         let kept = std::slice::from_ref(&head.items);
         let items = Items::of(kept, catalogue, arguments.accept_revisions);
         let which = arguments.attempt;
-        let (attempts, faults) = report.taken(&known, which, &|question| {
+        let (attempts, faults) = platform::taken(report, &known, which, &|question| {
             items.find(&question.item, question.revision)
         })?;
         let count = attempts.len();

@@ -9,7 +9,7 @@ use vibank::message::Language;
 use vibank::numerics::Rational;
 use vibank::worksheet::{Absence, Marks, QuestionEntry, Scored, Student, VariantEntry, Void};
 
-use super::answered::Answered;
+use super::answered::{self, Answered};
 use super::decisions::{Corrected, Decisions};
 use super::items::Items;
 use super::manifest::solution_of;
@@ -122,7 +122,7 @@ impl Marker<'_> {
         question: &QuestionEntry,
     ) -> Result<(Vec<MarkedPart>, bool), Failure> {
         let template = self.item(question)?;
-        let answered = self.answered(code, question, template)?;
+        let answered = answered::parts(self, code, question, template)?;
         let is_touched = answered.iter().any(Answered::is_touched);
         if answered.iter().all(|part| part.ruling.is_empty()) {
             let marked = self.marked(template, question, &answered)?;
@@ -182,7 +182,7 @@ impl Marker<'_> {
         let grade = Grade::mark_on(&solution, &sheet, responses);
         let parts = answered.iter();
         Ok(parts
-            .map(|part| self.part(&solution, question.number, part, &grade))
+            .map(|part| MarkedPart::of(self, &solution, question.number, part, &grade))
             .collect())
     }
 

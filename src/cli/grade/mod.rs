@@ -111,7 +111,7 @@ pub(crate) struct Arguments {
     attempt: Which,
     /// Also write the marks as the gradebook of a platform imports them.
     #[arg(long, value_name = "PLATFORM")]
-    gradebook: Option<gradebook::Platform>,
+    gradebook: Option<gradebook::GradebookPlatform>,
     /// The column of the class list by which that platform knows students.
     #[arg(
         long,
@@ -141,10 +141,10 @@ pub(crate) fn run(arguments: &Arguments) -> Result<super::Outcome, Failure> {
     let mut faults = Vec::new();
     let mut decisions = Decisions::default();
     if let Some(path) = &arguments.overrides {
-        faults.extend(decisions.read_table(path)?);
+        faults.extend(decisions::table::read(&mut decisions, path)?);
     }
-    let file = Decisions::file(arguments.decisions.as_deref(), &arguments.manifest);
-    let stated = file.as_deref().map(Decisions::read_file).transpose()?;
+    let file = decisions::file::find(arguments.decisions.as_deref(), &arguments.manifest);
+    let stated = file.as_deref().map(decisions::file::read).transpose()?;
     let handed = Handed::read(arguments, &catalogue, &decisions)?;
     faults.extend(handed.faults.iter().cloned());
     let names = handed.names.clone();
@@ -158,7 +158,8 @@ pub(crate) fn run(arguments: &Arguments) -> Result<super::Outcome, Failure> {
     faults.extend(Saved::foreign(&names, is_known));
     decisions.check(&census.handed_out.questions)?;
     if let Some(stated) = &stated {
-        faults.extend(decisions.add(stated, &census.handed_out)?);
+        let repeated = decisions::file::add(&mut decisions, stated, &census.handed_out)?;
+        faults.extend(repeated);
     }
     let corrected = decisions::corrected(&decisions, &census.items, &census.used)?;
     let sheets = open()?;

@@ -9,7 +9,7 @@ use vibank::worksheet::Void;
 
 use super::answered::Answered;
 use super::decisions::{Accepted, Decision};
-use super::hand;
+use super::hand::PartRubric;
 use super::marking::Marker;
 use super::outcome::{Fraction, PartOutcome};
 
@@ -17,18 +17,6 @@ use super::outcome::{Fraction, PartOutcome};
 pub(crate) struct MarkedPart {
     pub(crate) outcome: PartOutcome,
     pub(crate) feedback: PartFeedback,
-}
-
-impl MarkedPart {
-    /// Changes what the part is worth.
-    pub(crate) fn scale(&mut self, factor: Rational) {
-        let scaled = |points: Rational| points.checked_mul(factor).unwrap_or(points);
-        let (outcome, feedback) = (&mut self.outcome, &mut self.feedback);
-        feedback.points = scaled(feedback.points);
-        feedback.max = scaled(feedback.max);
-        outcome.points = Fraction(feedback.points);
-        outcome.max = Fraction(feedback.max);
-    }
 }
 
 /// What a part is worth so far, and what is said about it.
@@ -52,19 +40,19 @@ struct AwardedPoints {
     why: Option<String>,
 }
 
-impl Marker<'_> {
+impl MarkedPart {
     /// What came out for a part, and what its student is told.
-    pub(crate) fn part(
-        &self,
+    pub(crate) fn of(
+        marker: &Marker<'_>,
         solution: &Solution<'_>,
         number: usize,
         part: &Answered<'_>,
         grade: &Grade,
-    ) -> MarkedPart {
+    ) -> Self {
         let marking = grade.part(part.place).expect("its response was marked");
         let answer = &solution.template().parts[part.place].answer;
         let mut standing = if part.is_by_hand {
-            self.by_hand(number, part, answer.rubric())
+            PartStanding::by_hand(marker, number, part, answer.rubric())
         } else {
             PartStanding {
                 verdict: marking.verdict,
@@ -75,25 +63,25 @@ impl Marker<'_> {
                     .iter()
                     .map(|reason| reason.code())
                     .collect(),
-                remarks: grade::remarks(solution, part.place, marking, self.language),
+                remarks: grade::remarks(solution, part.place, marking, marker.language),
                 why: None,
                 carried_out: part.ruling.numbers.clone(),
             }
         };
         if part.is_undecided() {
-            standing.leave_open(self.language);
+            standing.leave_open(marker.language);
         }
-        standing.accept(solution, part, self.language);
+        standing.accept(solution, part, marker.language);
         if answer.kind() == AnswerKind::Choice {
-            self.charge(&mut standing, part.max);
+            standing.charge(marker, part.max);
         }
-        standing.settle(part, self.language);
-        standing.void(part, self.language);
+        standing.settle(part, marker.language);
+        standing.void(part, marker.language);
         // A key that was corrected has its remarks as any.
         let is_decided = part.ruling.settled.is_some()
             || part.ruling.void.is_some()
             || standing.carried_out.len() > part.ruling.numbers.len();
-        // The page says the verdict itself.
+        // The page says the verdict itmarker.
         let is_plain = marking.remarks.is_empty()
             && !is_decided
             && !part.is_by_hand
@@ -102,14 +90,14 @@ impl Marker<'_> {
         let other = matches!(standing.verdict, Verdict::Wrong)
             .then(|| grade::pattern(solution, part.place, marking))
             .flatten();
-        MarkedPart {
+        Self {
             feedback: PartFeedback {
                 letter: part.entry.letter.clone(),
                 verdict: standing.verdict,
                 points: standing.points,
                 max: part.max,
                 // Points are no answer of the student.
-                response: if part.is_by_hand && self.takes_points {
+                response: if part.is_by_hand && marker.takes_points {
                     String::new()
                 } else {
                     part.given.to_owned()
@@ -125,47 +113,41 @@ impl Marker<'_> {
         }
     }
 
-    /// What a person has marked.
-    fn by_hand(&self, number: usize, part: &Answered<'_>, criteria: &[Criterion]) -> PartStanding {
-        let given = self.given(number, part, criteria);
-        let reason = if given.points.is_some() {
-            "by-hand"
-        } else {
-            "open"
-        };
-        let (verdict, credit) = match given.points {
-            Some(points) => worth(points, part.max),
-            None => (Verdict::Unreadable, Rational::ZERO),
-        };
-        PartStanding {
-            verdict,
-            credit,
-            points: given.points.unwrap_or(Rational::ZERO),
-            reasons: vec![reason.to_owned()],
-            remarks: given.remarks,
-            why: given.why,
-            carried_out: part.ruling.numbers.clone(),
-        }
+    /// Changes what the part is worth.
+    pub(crate) fn scale(&mut self, factor: Rational) {
+        let scaled = |points: Rational| points.checked_mul(factor).unwrap_or(points);
+        let (outcome, feedback) = (&mut self.outcome, &mut self.feedback);
+        feedback.points = scaled(feedback.points);
+        feedback.max = scaled(feedback.max);
+        outcome.points = Fraction(feedback.points);
+        outcome.max = Fraction(feedback.max);
     }
+}
 
+impl AwardedPoints {
     /// What a person gave for work on paper.
-    fn given(&self, number: usize, part: &Answered<'_>, criteria: &[Criterion]) -> AwardedPoints {
-        let sheet = hand::Sheet::of(criteria, part.max, self.decimal);
-        let unmarked = self.language.by_hand(&ByHand::Open);
-        let open = |why: String| AwardedPoints {
+    fn given(
+        marker: &Marker<'_>,
+        number: usize,
+        part: &Answered<'_>,
+        criteria: &[Criterion],
+    ) -> Self {
+        let sheet = PartRubric::of(criteria, part.max, marker.decimal);
+        let unmarked = marker.language.by_hand(&ByHand::Open);
+        let open = |why: String| Self {
             points: None,
             remarks: vec![Comment::sentence(&unmarked)],
             why: Some(why),
         };
-        let text = if self.takes_points || part.is_read() {
+        let text = if marker.takes_points || part.is_read() {
             part.response()
         } else {
             ""
         };
         match sheet.read(text) {
-            Ok(Some(hand)) => AwardedPoints {
+            Ok(Some(hand)) => Self {
                 points: Some(hand.points),
-                remarks: sheet.told(&hand, self.language),
+                remarks: sheet.told(&hand, marker.language),
                 why: None,
             },
             Ok(None) => open(unmarked.clone()),
@@ -177,30 +159,58 @@ impl Marker<'_> {
             }
         }
     }
+}
+
+impl PartStanding {
+    /// What a person has marked.
+    fn by_hand(
+        marker: &Marker<'_>,
+        number: usize,
+        part: &Answered<'_>,
+        criteria: &[Criterion],
+    ) -> Self {
+        let given = AwardedPoints::given(marker, number, part, criteria);
+        let reason = if given.points.is_some() {
+            "by-hand"
+        } else {
+            "open"
+        };
+        let (verdict, credit) = match given.points {
+            Some(points) => worth(points, part.max),
+            None => (Verdict::Unreadable, Rational::ZERO),
+        };
+        Self {
+            verdict,
+            credit,
+            points: given.points.unwrap_or(Rational::ZERO),
+            reasons: vec![reason.to_owned()],
+            remarks: given.remarks,
+            why: given.why,
+            carried_out: part.ruling.numbers.clone(),
+        }
+    }
 
     /// Takes off what a wrong choice costs; where nothing is decided yet, it may still turn out to be wrong.
-    fn charge(&self, standing: &mut PartStanding, max: Rational) {
-        let penalty = self.marks.penalty(max);
+    fn charge(&mut self, marker: &Marker<'_>, max: Rational) {
+        let penalty = marker.marks.penalty(max);
         if penalty.is_zero() {
             return;
         }
-        match standing.verdict {
-            Verdict::Unreadable => standing.points = -penalty,
+        match self.verdict {
+            Verdict::Unreadable => self.points = -penalty,
             Verdict::Wrong => {
-                standing.points = -penalty;
-                standing.credit = standing.points.checked_div(max).unwrap_or(Rational::ZERO);
-                standing.reasons.push("negative".to_owned());
-                let points = rounded(penalty).replace('.', &self.decimal.to_string());
-                let is_one = self.language.is_singular(penalty.to_f64());
-                let words = self.language.by_hand(&ByHand::Charged { points, is_one });
-                standing.remarks.push(Comment::sentence(&words));
+                self.points = -penalty;
+                self.credit = self.points.checked_div(max).unwrap_or(Rational::ZERO);
+                self.reasons.push("negative".to_owned());
+                let points = rounded(penalty).replace('.', &marker.decimal.to_string());
+                let is_one = marker.language.is_singular(penalty.to_f64());
+                let words = marker.language.by_hand(&ByHand::Charged { points, is_one });
+                self.remarks.push(Comment::sentence(&words));
             }
             _ => {}
         }
     }
-}
 
-impl PartStanding {
     fn leave_open(&mut self, language: Language) {
         self.verdict = Verdict::Unreadable;
         self.reasons = vec!["unreadable".to_owned()];

@@ -16,7 +16,7 @@ use std::ops::Range;
 use std::path::Path;
 
 pub(crate) use self::attempts::Which;
-pub(crate) use self::sheets::{KnownQuestions, TakenAttempt, responses};
+pub(crate) use self::sheets::{KnownQuestions, TakenAttempt, responses, taken};
 
 use self::cells::decoded;
 use self::moment::{Moment, moment};

@@ -148,75 +148,72 @@ impl KnownQuestions<'_> {
     }
 }
 
-impl Report {
-    /// The attempts as sheets; `which` of the tries at a part of a package counts; `template` finds the item of a question. What could not be matched is added to the
-    /// faults.
-    pub(crate) fn taken<'t>(
-        mut self,
-        known: &KnownQuestions<'_>,
-        which: Which,
-        template: &dyn Fn(&QuestionEntry) -> Result<&'t Template, Failure>,
-    ) -> Result<(Vec<TakenAttempt>, Vec<String>), Failure> {
-        for column in &self.foreign {
-            eprintln!("not marked: `{column}`, which is not a question of this program");
-        }
-        let mut lost = BTreeSet::new();
-        let mut unanswered = BTreeMap::new();
-        let (mut taken, mut codes) = (Vec::new(), BTreeSet::new());
-        for attempt in &self.attempts {
-            let mut sheet = AttemptSheet {
-                questions: Vec::new(),
-                rows: Vec::new(),
-                faults: &mut self.faults,
-                lost: &mut lost,
-                unanswered: &mut unanswered,
-                line: attempt.line,
-                which,
-                next: known.most() + 1,
-            };
-            sheet.fill(attempt, known, template)?;
-            let AttemptSheet {
-                questions, rows, ..
-            } = sheet;
-            if questions.is_empty() {
-                continue;
-            }
-            let id = &attempt.student["id"];
-            let mut codes_of =
-                (0..).map(|at| Variant::of_student(Seed::new(ATTEMPTS), id, at, None));
-            let Some(code) = codes_of.find(|code| codes.insert(*code)) else {
-                continue;
-            };
-            taken.push(TakenAttempt {
-                entry: VariantEntry {
-                    code: code.to_string(),
-                    seed: code.number(),
-                    student: Some(attempt.student.clone()),
-                    gave_way: false,
-                    files: BTreeMap::new(),
-                    pages: BTreeMap::new(),
-                    questions,
-                },
-                line: attempt.line,
-                moment: attempt.moment,
-                rows,
-            });
-        }
-        if taken.is_empty() {
-            let name = self.name;
-            let questions: Vec<String> = lost.into_iter().take(3).collect();
-            return Err(Failure::new(format!(
-                "none of the questions of this {name} is in the manifest: {}",
-                questions.join(", ")
-            ))
-            .help("give the manifest that was written beside the questions which were imported, or the package"));
-        }
-        let unknown = lost.iter().map(|name| {
-            format!("`{name}` is not in the manifest; what was answered to it is not marked")
-        });
-        self.faults.extend(unknown);
-        Ok((taken, self.faults))
+/// The attempts of a report as sheets; `which` of the tries at a part of a package counts; `template` finds the item of
+/// a question. What could not be matched is added to the faults.
+pub(crate) fn taken<'t>(
+    mut report: Report,
+    known: &KnownQuestions<'_>,
+    which: Which,
+    template: &dyn Fn(&QuestionEntry) -> Result<&'t Template, Failure>,
+) -> Result<(Vec<TakenAttempt>, Vec<String>), Failure> {
+    for column in &report.foreign {
+        eprintln!("not marked: `{column}`, which is not a question of this program");
     }
+    let mut lost = BTreeSet::new();
+    let mut unanswered = BTreeMap::new();
+    let (mut taken, mut codes) = (Vec::new(), BTreeSet::new());
+    for attempt in &report.attempts {
+        let mut sheet = AttemptSheet {
+            questions: Vec::new(),
+            rows: Vec::new(),
+            faults: &mut report.faults,
+            lost: &mut lost,
+            unanswered: &mut unanswered,
+            line: attempt.line,
+            which,
+            next: known.most() + 1,
+        };
+        sheet.fill(attempt, known, template)?;
+        let AttemptSheet {
+            questions, rows, ..
+        } = sheet;
+        if questions.is_empty() {
+            continue;
+        }
+        let id = &attempt.student["id"];
+        let mut codes_of = (0..).map(|at| Variant::of_student(Seed::new(ATTEMPTS), id, at, None));
+        let Some(code) = codes_of.find(|code| codes.insert(*code)) else {
+            continue;
+        };
+        taken.push(TakenAttempt {
+            entry: VariantEntry {
+                code: code.to_string(),
+                seed: code.number(),
+                student: Some(attempt.student.clone()),
+                gave_way: false,
+                files: BTreeMap::new(),
+                pages: BTreeMap::new(),
+                questions,
+            },
+            line: attempt.line,
+            moment: attempt.moment,
+            rows,
+        });
+    }
+    if taken.is_empty() {
+        let name = report.name;
+        let questions: Vec<String> = lost.into_iter().take(3).collect();
+        return Err(Failure::new(format!(
+            "none of the questions of this {name} is in the manifest: {}",
+            questions.join(", ")
+        ))
+        .help("give the manifest that was written beside the questions which were imported, or the package"));
+    }
+    let unknown = lost.iter().map(|name| {
+        format!("`{name}` is not in the manifest; what was answered to it is not marked")
+    });
+    report.faults.extend(unknown);
+    Ok((taken, report.faults))
 }
 
 /// The sheet of an attempt while it is put together.

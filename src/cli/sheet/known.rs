@@ -52,7 +52,7 @@ pub(crate) struct HeldSheet {
 pub(crate) struct AlikeSheets<'k>(Vec<&'k Held>);
 
 #[derive(Deserialize)]
-struct Head {
+struct ManifestHead {
     #[serde(default)]
     inputs: String,
     #[serde(default)]
@@ -201,7 +201,7 @@ impl Held {
         let mut lines = BufReader::new(out.open(name).ok()?).lines();
         let head = lines.next()?.ok()?;
         // The first line ends in the open list of sheets, and is made whole to be read alone.
-        let head: Head = serde_json::from_str(&format!("{head}]}}")).ok()?;
+        let head: ManifestHead = serde_json::from_str(&format!("{head}]}}")).ok()?;
         let mut held = Self {
             inputs: head.inputs,
             look: head.look,

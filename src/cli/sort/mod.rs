@@ -46,7 +46,11 @@ const MAX_SCANS: usize = 20_000;
 
 pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     let scans = scans(&arguments.scans)?;
-    let names = arguments.manifest.as_deref().map(Names::read).transpose()?;
+    let names = arguments
+        .manifest
+        .as_deref()
+        .map(SheetNames::read)
+        .transpose()?;
     let out = Folder::at(&arguments.out);
     out.hold()?;
     if !out.names("").is_empty() {
@@ -121,14 +125,14 @@ fn scans(given: &[PathBuf]) -> Result<Vec<PathBuf>, Failure> {
 }
 
 /// The sheets of a run by their codes, in the order of the run.
-struct Names {
+struct SheetNames {
     /// The name of the folder of each.
     stems: BTreeMap<String, String>,
     /// The codes of the last manifest.
     current: Vec<String>,
 }
 
-impl Names {
+impl SheetNames {
     /// Those of a manifest, and of earlier ones of the same run: what was handed out can be sorted.
     fn read(path: &Path) -> Result<Self, Failure> {
         let mut names = Self {
@@ -212,7 +216,7 @@ struct SortedSheet {
 }
 
 impl Sorted {
-    fn take(&mut self, scan: &Path, reading: Reading, names: Option<&Names>) {
+    fn take(&mut self, scan: &Path, reading: Reading, names: Option<&SheetNames>) {
         let shown = scan.display();
         let mark = match reading {
             Reading::Mark(mark) => mark,
@@ -351,7 +355,7 @@ mod tests {
         })
     }
 
-    fn sorted(readings: Vec<Reading>, names: Option<&Names>) -> Sorted {
+    fn sorted(readings: Vec<Reading>, names: Option<&SheetNames>) -> Sorted {
         let mut sorted = Sorted::default();
         for (number, reading) in readings.into_iter().enumerate() {
             let scan = PathBuf::from(format!("in/s{number}.PNG"));
@@ -392,7 +396,7 @@ mod tests {
     #[test]
     fn missing_pages_and_sheets_of_other_runs_are_said() {
         let code = Variant::new(1).expect("small").to_string();
-        let names = Names {
+        let names = SheetNames {
             stems: BTreeMap::from([(code.clone(), "001-s1".to_owned())]),
             current: vec![code],
         };

@@ -5,12 +5,11 @@
 //! [`Ruling`] says what holds for one part of one sheet.
 
 mod correct;
-mod file;
+pub(crate) mod file;
 mod log;
-mod table;
+pub(crate) mod table;
 
 use std::collections::{BTreeMap, BTreeSet};
-use std::path::Path;
 
 use vibank::answer::Credit;
 use vibank::grade::{Place, rounded};
@@ -174,11 +173,6 @@ impl Decision {
 }
 
 impl Decisions {
-    /// Reads a table of overrides; what is wrong with single rows is reported, and the rest counts.
-    pub(crate) fn read_table(&mut self, path: &Path) -> Result<Vec<String>, Failure> {
-        table::read(self, path)
-    }
-
     /// Whether nothing was decided.
     pub(crate) fn is_empty(&self) -> bool {
         self.all.is_empty()

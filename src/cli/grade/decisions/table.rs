@@ -76,9 +76,7 @@ pub(crate) fn read(decisions: &mut Decisions, path: &Path) -> Result<Vec<String>
         let fault = match field(question).parse() {
             _ if field(code) == ALL && words.iter().all(|at| filled(*at).is_some()) => {
                 let [item, id, given] = words.map(|at| filled(at).unwrap_or_default());
-                decisions
-                    .alike(AlikeAnswers::new(item, id, given), &settled)
-                    .err()
+                settle_alike(decisions, AlikeAnswers::new(item, id, given), &settled).err()
             }
             _ if field(code) == ALL && filled(words[0]).is_some() => {
                 let item = filled(words[0]).unwrap_or_default().to_owned();
@@ -89,7 +87,7 @@ pub(crate) fn read(decisions: &mut Decisions, path: &Path) -> Result<Vec<String>
                         "no `part` and no `id` says which part of `{item}` is meant"
                     ))
                 } else {
-                    decisions.item((item, part), &settled).err()
+                    settle_item(decisions, (item, part), &settled).err()
                 }
             }
             Err(_) => Some(format!("question `{}` is not a number", field(question))),
@@ -99,7 +97,7 @@ pub(crate) fn read(decisions: &mut Decisions, path: &Path) -> Result<Vec<String>
                     question,
                     part: field(part).to_lowercase(),
                 };
-                decisions.place(place, &settled).err()
+                settle_place(decisions, place, &settled).err()
             }
         };
         faults.extend(fault.map(|fault| format!("overrides, line {line}: {fault}")));
@@ -107,47 +105,62 @@ pub(crate) fn read(decisions: &mut Decisions, path: &Path) -> Result<Vec<String>
     Ok(faults)
 }
 
-impl Decisions {
-    fn alike(&mut self, alike: AlikeAnswers, settled: &Settled<'_>) -> Result<(), String> {
-        let (item, id) = (&alike.item, &alike.id);
-        let decision = settled.decision(
-            format!("`{id}` of `{item}`, where this was answered"),
-            format!("`{id}`"),
-            format!("nobody gave this answer to part `{id}` of `{item}`"),
-        )?;
-        settle(&mut self.all, &mut self.alike, alike, decision)
-    }
+/// Settles all answers with these words.
+fn settle_alike(
+    decisions: &mut Decisions,
+    alike: AlikeAnswers,
+    settled: &Settled<'_>,
+) -> Result<(), String> {
+    let (item, id) = (&alike.item, &alike.id);
+    let decision = settled.decision(
+        format!("`{id}` of `{item}`, where this was answered"),
+        format!("`{id}`"),
+        format!("nobody gave this answer to part `{id}` of `{item}`"),
+    )?;
+    settle(&mut decisions.all, &mut decisions.alike, alike, decision)
+}
 
-    fn item(&mut self, name: (String, String), settled: &Settled<'_>) -> Result<(), String> {
-        let (item, part) = &name;
-        let decision = settled.decision(
-            format!("`{part}` of `{item}`"),
-            format!("`{part}`"),
-            format!("no part `{part}` of `{item}` was handed out"),
-        )?;
-        settle(&mut self.all, &mut self.items, name, decision)
-    }
+/// Settles a part of an item on all sheets.
+fn settle_item(
+    decisions: &mut Decisions,
+    name: (String, String),
+    settled: &Settled<'_>,
+) -> Result<(), String> {
+    let (item, part) = &name;
+    let decision = settled.decision(
+        format!("`{part}` of `{item}`"),
+        format!("`{part}`"),
+        format!("no part `{part}` of `{item}` was handed out"),
+    )?;
+    settle(&mut decisions.all, &mut decisions.items, name, decision)
+}
 
-    fn place(&mut self, place: Place, settled: &Settled<'_>) -> Result<(), String> {
-        let Place {
-            code,
-            question,
-            part,
-        } = &place;
-        let decision = settled.decision(
-            if code == ALL {
-                format!("{question}{part}")
-            } else {
-                format!("{question}{part} of sheet {code}")
-            },
-            format!("{question}{part}"),
-            format!("no part {question}{part} of a sheet {code} was handed out"),
-        )?;
+/// Settles a part by the number of its question.
+fn settle_place(
+    decisions: &mut Decisions,
+    place: Place,
+    settled: &Settled<'_>,
+) -> Result<(), String> {
+    let Place {
+        code,
+        question,
+        part,
+    } = &place;
+    let decision = settled.decision(
         if code == ALL {
-            self.by_number.push((*question, decision.place.clone()));
-        }
-        settle(&mut self.all, &mut self.places, place, decision)
+            format!("{question}{part}")
+        } else {
+            format!("{question}{part} of sheet {code}")
+        },
+        format!("{question}{part}"),
+        format!("no part {question}{part} of a sheet {code} was handed out"),
+    )?;
+    if code == ALL {
+        decisions
+            .by_number
+            .push((*question, decision.place.clone()));
     }
+    settle(&mut decisions.all, &mut decisions.places, place, decision)
 }
 
 /// Keeps a decision; one that replaces another is diagnosed.
