@@ -11,7 +11,7 @@ const MAX_PLACES: usize = 16;
 pub struct BeforeUnit<'t> {
     /// What stands before the unit.
     pub formula: Passage<'t>,
-    /// The unit.
+    /// What stands last, read as a unit.
     pub unit: Unit,
     /// The unit as it was typed.
     pub typed: Passage<'t>,

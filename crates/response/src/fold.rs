@@ -30,13 +30,13 @@ use vibank_source::Span;
 /// without what only sets off or sizes a formula in LaTeX. Each place in it has its place in what was typed.
 ///
 /// ```
-/// use vibank_response::Folded;
+/// use vibank_response::{At, Folded};
 ///
 /// let folded = Folded::of(r"$\omega \leq −5$ rad/s").unwrap();
-/// assert_eq!(folded.text().trim(), r"\omega ≤ -5  rad/s");
-/// let minus = folded.text().find('-').unwrap();
-/// assert_eq!(folded.typed(minus..minus + 1), "−");
-/// assert_eq!(Folded::of("𝑘/𝑚").unwrap().text(), "k/m");
+/// assert_eq!(folded.passage().to_string(), r"\omega ≤ -5  rad/s");
+/// let minus = folded.typed_at(&At::Here("-".to_owned()));
+/// assert_eq!(minus, Some(At::Here("−".to_owned())));
+/// assert_eq!(Folded::of("𝑘/𝑚").unwrap().passage().to_string(), "k/m");
 /// assert!(Folded::of("5 $").is_err());
 /// ```
 #[derive(Clone, Debug, PartialEq, Eq)]

@@ -138,7 +138,16 @@ fn are_after_values(tokens: &[Token]) -> bool {
         let before = |count: usize| at.checked_sub(count).map(|at| &tokens[at].item);
         let is_factor = before(1) == Some(&Item::Sign('*'));
         let value = before(if is_factor { 2 } else { 1 });
-        !matches!(token.item, Item::Unit(_)) || value.is_some_and(is_value)
+        // `H(t)` is a function of its own.
+        let is_called = matches!(
+            &tokens[at + 1..],
+            [open, argument, close, ..]
+                if open.item == Item::Sign('(')
+                    && !open.is_spaced
+                    && matches!(argument.item, Item::Leaf(_))
+                    && close.item == Item::Sign(')')
+        );
+        !matches!(token.item, Item::Unit(_)) || value.is_some_and(is_value) && !is_called
     })
 }
 
@@ -176,12 +185,11 @@ fn terms(formula: &Expr) -> Result<Split, Trouble> {
     })
 }
 
-/// The operands of an operation without their units, none for one that is a unit alone, and the unit of what comes out.
-fn operation(
-    operator: Operator,
-    left: &Expr,
-    right: &Expr,
-) -> Result<(Option<Expr>, Option<Expr>, Option<Unit>), Trouble> {
+/// The operands of an operation, none for one that is a unit alone, and the unit of what comes out.
+type Operands = (Option<Expr>, Option<Expr>, Option<Unit>);
+
+/// An operation without the units of its operands.
+fn operation(operator: Operator, left: &Expr, right: &Expr) -> Result<Operands, Trouble> {
     let units = || Trouble::Value(ValueTrouble::Units);
     let is_one = |operand: &Expr| operand.as_number() == Some(Rational::ONE);
     if operator == Operator::Power {
@@ -191,9 +199,10 @@ fn operation(
             .map(|unit| raised(&unit, exponent.as_number()))
             .transpose()?;
         let is_unit = unit.is_some() && is_one(&base);
-        return Ok(match is_unit {
-            true => (None, None, unit),
-            false => (Some(base), Some(exponent), unit),
+        return Ok(if is_unit {
+            (None, None, unit)
+        } else {
+            (Some(base), Some(exponent), unit)
         });
     }
     let ((left, own), (right, other)) = (terms(left)?, terms(right)?);

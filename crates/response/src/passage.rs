@@ -48,6 +48,7 @@ impl<'t> Passage<'t> {
     }
 
     /// The part of it where something stands that was read of it.
+    #[must_use]
     pub fn part(self, span: Span) -> Self {
         Self::of(self.0.get(span.range()).unwrap_or_default())
     }

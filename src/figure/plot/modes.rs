@@ -14,7 +14,7 @@ pub struct ModeShapes {
     pub shapes: Vec<ModeShape>,
 }
 
-/// A mode shape.
+/// How the masses move against each other in a mode, with its heading.
 #[derive(Clone, Debug)]
 pub struct ModeShape {
     /// What stands above it, such as its frequency.
