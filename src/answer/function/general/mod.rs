@@ -21,6 +21,7 @@ use crate::answer::{
 };
 use crate::expr::{Equation, Expr, Kind as Node, Name, Precise, Program, Workspace};
 use crate::math::Math;
+use crate::numerics::Rational;
 use crate::quantity::{Absent, NodeId};
 use crate::response::{Lexicon, Passage};
 use crate::source::{Table, Text};
@@ -203,12 +204,14 @@ impl Answer for General {
 pub(crate) struct TypedSolution {
     positions: Vec<Program>,
     velocities: Vec<Program>,
+    accelerations: Vec<Program>,
     residuals: Vec<Program>,
     /// Left minus right of the equations with positions as inputs.
     bare: Vec<Program>,
     /// The constants that occur in it, as places.
     used: Vec<usize>,
-    has_decimals: bool,
+    /// The largest share of one of its decimal numbers that rounding may have taken; zero where it has none.
+    rounding: f64,
 }
 
 impl Setup {
@@ -271,11 +274,12 @@ impl Setup {
         let replaced: BTreeMap<Name, Expr> =
             crate::numerics::gather(coordinates.zip(typed.iter().cloned()));
         let none = BTreeMap::new();
-        let mut has_decimals = false;
+        let mut rounding = 0.0_f64;
         for expr in typed {
             expr.walk(&mut |node| {
-                has_decimals |=
-                    matches!(node.kind(), crate::expr::Kind::Number(value) if !value.is_integer());
+                if let crate::expr::Kind::Number(value) = node.kind() {
+                    rounding = rounding.max(rounding_of(*value));
+                }
             });
         }
         let all = |exprs: Vec<Expr>, replaced| -> Option<Vec<Program>> {
@@ -290,18 +294,18 @@ impl Setup {
                 .map(Equation::difference)
                 .collect::<Vec<_>>()
         };
-        let rates = self
-            .coordinates
-            .iter()
-            .map(|name| Expr::name(name.clone()).prime(1))
-            .collect();
+        let rates = |order| {
+            let of = |name: &Name| Expr::name(name.clone()).prime(order);
+            self.coordinates.iter().map(of).collect::<Vec<_>>()
+        };
         Some(TypedSolution {
             used: self.used(typed),
             positions: all(typed.to_vec(), &none)?,
-            velocities: all(rates, &replaced)?,
+            velocities: all(rates(1), &replaced)?,
+            accelerations: all(rates(2), &replaced)?,
             residuals: all(differences(), &replaced)?,
             bare: all(differences(), &none)?,
-            has_decimals,
+            rounding,
         })
     }
 
@@ -342,45 +346,115 @@ impl Prepared {
             .collect()
     }
 
-    /// Whether the equations hold for constants at random.
+    /// Whether the equations hold for constants at random, and for each of them that is large beside the others: so
+    /// each mode shows alone, and what no constant multiplies does.
     fn satisfies(&self, solution: &TypedSolution) -> Option<bool> {
-        let (mut draws, mut room) = (Draws::new(), Workspace::default());
-        // Frequencies and shapes of three figures are off by up to half a per cent each, squares by twice that.
-        let part = if solution.has_decimals { 0.015 } else { 1e-7 };
+        const SMALL: f64 = 1e-3;
+        let mut draws = Draws::new();
+        let mut random = || -> Vec<f64> {
+            let constants = self.setup.constants.iter();
+            constants.map(|_| 1.0 + 0.9 * draws.signed()).collect()
+        };
+        let mut all: Vec<Vec<f64>> = (0..3).map(|_| random()).collect();
+        for large in &solution.used {
+            let mut constants = random();
+            for (place, value) in constants.iter_mut().enumerate() {
+                *value *= if place == *large { 1.0 } else { SMALL };
+            }
+            all.push(constants);
+        }
+        for constants in &all {
+            if !self.satisfies_with(solution, constants)? {
+                return Some(false);
+            }
+        }
+        Some(self.lasts(solution, &all[0]))
+    }
+
+    /// Whether the equations hold for these constants.
+    fn satisfies_with(&self, solution: &TypedSolution, constants: &[f64]) -> Option<bool> {
+        // Of a formula without decimals nothing is rounded but by the machine.
+        const EXACT: f64 = 1e-7;
+        let mut room = Workspace::default();
         let times = self.times();
-        for _ in 0..3 {
-            let constants: Vec<f64> = self
-                .setup
-                .constants
-                .iter()
-                .map(|_| 1.0 + 0.9 * draws.signed())
-                .collect();
-            let mut largest = vec![0.0_f64; solution.positions.len()];
-            let mut residuals = vec![0.0_f64; solution.residuals.len()];
+        let mut largest = |programs: &[Program]| -> Option<Vec<f64>> {
+            let mut largest = vec![0.0_f64; programs.len()];
             for time in &times {
-                let point = self.point(&constants, *time);
-                for (largest, program) in largest.iter_mut().zip(&solution.positions) {
-                    *largest =
-                        largest.max(program.evaluate_real(&point[..], &mut room).ok()?.abs());
-                }
-                for (residual, program) in residuals.iter_mut().zip(&solution.residuals) {
-                    *residual =
-                        residual.max(program.evaluate_real(&point[..], &mut room).ok()?.abs());
+                let point = self.point(constants, *time);
+                for (largest, program) in largest.iter_mut().zip(programs) {
+                    let value = program.evaluate_real(&point[..], &mut room).ok()?;
+                    *largest = largest.max(value.abs());
                 }
             }
-            for (residual, program) in residuals.iter().zip(&solution.bare) {
-                let mut scale = 0.0;
-                for (name, largest) in self.setup.coordinates.iter().zip(&largest) {
-                    let mut point = self.point(&constants, times[0]);
-                    point[self.setup.slot(name)?] = Precise::exact(*largest);
-                    scale += program.evaluate_real(&point[..], &mut room).ok()?.abs();
+            Some(largest)
+        };
+        let positions = largest(&solution.positions)?;
+        let accelerations = largest(&solution.accelerations)?;
+        let residuals = largest(&solution.residuals)?;
+        for (residual, program) in residuals.iter().zip(&solution.bare) {
+            let mut scale = |order: usize, largest: &[f64]| {
+                let mut sum = 0.0;
+                for (name, largest) in self.setup.coordinates.iter().zip(largest) {
+                    let mut point = self.point(constants, times[0]);
+                    point[self.setup.slot(name)? + order] = Precise::exact(*largest);
+                    sum += program.evaluate_real(&point[..], &mut room).ok()?.abs();
                 }
-                if *residual > part * scale {
-                    return Some(false);
-                }
+                Some(sum)
+            };
+            // Rounding a shape moves all terms by its share, and rounding a frequency those of inertia by twice its
+            // share.
+            let (of_shape, of_inertia) = match solution.rounding {
+                0.0 => (EXACT, EXACT),
+                rounding => (rounding, 3.0 * rounding),
+            };
+            if *residual > of_shape * scale(0, &positions)? + of_inertia * scale(2, &accelerations)?
+            {
+                return Some(false);
             }
         }
         Some(true)
+    }
+
+    /// Whether a solution is as large after thousands of periods as in the first ones, where the equations have no
+    /// terms of velocities and each mode oscillates: a damping that hardly shows in the equations shows there.
+    fn lasts(&self, solution: &TypedSolution, constants: &[f64]) -> bool {
+        const PERIODS: f64 = 2_000.0;
+        const SAMPLES: u32 = 32;
+        let mut room = Workspace::default();
+        let is_undamped = solution.bare.iter().all(|program| {
+            self.setup.coordinates.iter().all(|name| {
+                let mut point = self.point(constants, 0.0);
+                let slot = self.setup.slot(name);
+                if let Some(slot) = slot {
+                    point[slot + 1] = Precise::exact(1.0);
+                }
+                let value = program.evaluate_real(&point[..], &mut room);
+                value.is_ok_and(|value| value == 0.0)
+            })
+        });
+        let slowest = self.modes.iter().map(|(frequency, _)| *frequency);
+        let slowest = slowest.fold(f64::INFINITY, f64::min);
+        if !is_undamped || slowest <= 0.0 || slowest.is_infinite() {
+            return true;
+        }
+        let period = std::f64::consts::TAU / slowest;
+        // Times that are not in step with any mode.
+        let size = |from: f64, room: &mut Workspace| -> Option<f64> {
+            let mut sum = 0.0;
+            for place in 0..SAMPLES {
+                let share = (f64::from(place) + 0.37) / f64::from(SAMPLES);
+                let point = self.point(constants, from + 14.0 * period * share * share);
+                for program in &solution.positions {
+                    let value = program.evaluate_real(&point[..], room).ok()?;
+                    sum += value * value;
+                }
+            }
+            Some(sum.sqrt())
+        };
+        let (first, late) = (size(0.0, &mut room), size(PERIODS * period, &mut room));
+        first
+            .zip(late)
+            .is_some_and(|(first, late)| late <= 2.0 * first && first <= 2.0 * late)
     }
 
     /// The solution of the key as a formula of each coordinate.
@@ -525,4 +599,23 @@ impl Marker for Prepared {
         let note = (found > needed).then_some(Note::ConstantsToSpare { needed, found });
         Marking::read(reading, Credit::FULL, note.map(Remark::from))
     }
+}
+
+/// The share of a number by which rounding moved it at most, half a unit of its last decimal; at least that of four
+/// figures, and at most that of three. Zero for an integer.
+fn rounding_of(value: Rational) -> f64 {
+    const MOST_DECIMALS: i32 = 12;
+    if value.is_integer() {
+        return 0.0;
+    }
+    let number = value.to_f64().abs();
+    let is_decimal = |places: &i32| {
+        let shifted = number * crate::numerics::powi(10.0, *places);
+        (shifted - shifted.round()).abs() <= 1e-9 * shifted
+    };
+    let places = (1..=MOST_DECIMALS)
+        .find(is_decimal)
+        .unwrap_or(MOST_DECIMALS);
+    let half = 0.5 * crate::numerics::powi(10.0, -places);
+    (half / number).clamp(0.0005, 0.005)
 }
