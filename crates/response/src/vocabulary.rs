@@ -191,6 +191,7 @@ impl Words {
                 LexiconEntry::Forbidden(name) => words.forbid(name),
             }
         }
+        words.add_lengths();
         words.add_rates();
         words.add_bare_frequency(entries);
         words
@@ -535,6 +536,22 @@ impl Words {
     fn add_function(&mut self, name: &str, function: Function) {
         let spelling = name.replace('_', "");
         self.add(&spelling, WordSense::Function(function), 0);
+    }
+
+    /// `L` for ℓ and `L1` for ℓ₁, where no name of the item has that letter.
+    fn add_lengths(&mut self) {
+        let is_length = |word: &Word| {
+            let index = word.spelling.strip_prefix("ell")?;
+            let is_index = index.bytes().all(|byte| byte.is_ascii_digit());
+            let is_own = is_index && word.primes == 0 && matches!(word.sense, WordSense::Leaf(_));
+            is_own.then(|| (format!("L{index}"), word.sense.clone()))
+        };
+        let lengths: Vec<(String, WordSense)> = self.words.iter().filter_map(is_length).collect();
+        for (spelling, sense) in lengths {
+            if !self.knows("L") && !self.knows(&spelling) {
+                self.add(&spelling, sense, 0);
+            }
+        }
     }
 
     /// `xd`, `thetad`, `x1d` and `xd1`, where no name of the item is the letter d.
