@@ -142,6 +142,21 @@ impl<'t> Values<'t> {
             .any(|((a, comma), b)| a.is_ascii_digit() && comma == b',' && b.is_ascii_digit())
     }
 
+    /// Whether a comma between digits can only be a decimal sign: other than three digits come after it, or a zero alone
+    /// before it.
+    pub fn has_decimal_comma(&self, part: &Part) -> bool {
+        let text = self.text(part);
+        let is_digit = |char: char| char.is_ascii_digit();
+        text.match_indices(',').any(|(at, _)| {
+            let before = &text[..at];
+            let figures = before.len() - before.trim_end_matches(is_digit).len();
+            let behind = &text[at + 1..];
+            let decimals = behind.len() - behind.trim_start_matches(is_digit).len();
+            let is_zero = figures == 1 && before.ends_with('0');
+            figures > 0 && decimals > 0 && (decimals != 3 || is_zero)
+        })
+    }
+
     /// Whether nothing stands where a part is empty, between two signs that part values: `5,, 8.7`. The end of a line
     /// and a word may follow a sign.
     pub fn is_gap(&self, part: &Part) -> bool {

@@ -105,6 +105,13 @@ pub(crate) fn list(
             item.0 = values.index(label);
         }
     }
+    // Beside `14,82` the comma of `9,502` is a decimal sign, too: nobody writes both in one list.
+    if values.has(&inner, ';') && values.has_decimal_comma(&inner) && mark == DecimalMark::Point {
+        let of_comma = |item: &TypedNumber| !item.is_by_rule && item.arithmetic.is_none();
+        let all = items.iter_mut().map(|(_, item)| item);
+        all.filter(|item| of_comma(item))
+            .for_each(|item| item.others.clear());
+    }
     let unit = unit.or_else(|| items.last().map(|(_, last)| last.quantity.unit));
     if let Some(unit) = unit {
         items
