@@ -2,68 +2,65 @@
 
 use std::ops::Range;
 
+use super::letters::Letters;
+
 /// The components that a relation between all of them gives, as a list; none where it is none, or more than one thing is
 /// said.
-pub(crate) fn components_of(typed: &str, width: usize) -> Option<String> {
+pub(crate) fn components_of(typed: &str, width: usize, names: &Names) -> Option<String> {
     let text = typed.trim().trim_end_matches('.');
     let sides: Vec<&str> = text.split('=').map(str::trim).collect();
     let (last, before) = sides
         .split_last()
         .filter(|(_, before)| !before.is_empty())?;
     let places = |side: &str| -> Option<Vec<usize>> {
-        let names = side.split(':').map(str::trim);
-        names.map(whole_name).collect()
+        let own = side.split(':').map(str::trim);
+        own.map(|name| names.whole(name)).collect()
     };
     if let [ratio] = before
         && ratio.contains(':')
     {
         let (order, values) = (places(ratio)?, last.split(':').map(str::trim));
-        return ordered(&order, &values.collect::<Vec<_>>(), width);
+        return ordered(&order, &values.collect::<Vec<_>>(), width, names);
     }
     // `x1 = x2 = x3`, and `x1 = x2 = 1`.
-    let mut equal: Vec<usize> = before.iter().map_while(|side| whole_name(side)).collect();
+    let mut equal: Vec<usize> = before.iter().map_while(|side| names.whole(side)).collect();
     if equal.len() == before.len() {
-        equal.extend(whole_name(last));
+        equal.extend(names.whole(last));
         if equal.len() == width {
-            let value = if whole_name(last).is_some() {
+            let value = if names.whole(last).is_some() {
                 "1"
             } else {
                 last
             };
-            return ordered(&equal, &vec![value; width], width);
+            return ordered(&equal, &vec![value; width], width, names);
         }
     }
     let [left] = before else { return None };
     if width != 2 {
         return None;
     }
-    quotient(left, last)
-        .or_else(|| quotient(last, left))
-        .or_else(|| multiple(left, last))
-        .or_else(|| multiple(last, left))
+    quotient(left, last, names)
+        .or_else(|| quotient(last, left, names))
+        .or_else(|| multiple(left, last, names))
+        .or_else(|| multiple(last, left, names))
 }
 
 /// `x2/x1 = value`.
-fn quotient(ratio: &str, value: &str) -> Option<String> {
-    let ratio = ratio
-        .strip_prefix("\\frac{")
-        .and_then(|rest| rest.strip_suffix('}'))
-        .map_or_else(|| ratio.to_owned(), |rest| rest.replacen("}{", "/", 1));
-    let (above, below) = ratio.split_once('/')?;
-    let (above, below) = (whole_name(above)?, whole_name(below)?);
-    let is_value = name_in(value).is_none() && !value.is_empty();
+fn quotient(ratio: &str, value: &str, names: &Names) -> Option<String> {
+    let (above, below) = names.quotient(ratio)?;
+    let is_value = names.first_in(value).is_none() && !value.is_empty();
     if !is_value {
         return None;
     }
-    ordered(&[above, below], &[value, "1"], 2)
+    ordered(&[above, below], &[value, "1"], 2, names)
 }
 
 /// `x1 = value * x2`: a product in which the other component stands once.
-fn multiple(name: &str, product: &str) -> Option<String> {
-    let own = whole_name(name)?;
-    let (place, other) = name_in(product)?;
+fn multiple(name: &str, product: &str, names: &Names) -> Option<String> {
+    let own = names.whole(name)?;
+    let (place, other) = names.first_in(product)?;
     let (before, behind) = (&product[..place.start], &product[place.end..]);
-    if name_in(before).is_some() || name_in(behind).is_some() {
+    if names.first_in(before).is_some() || names.first_in(behind).is_some() {
         return None;
     }
     // A sum is not a multiple, and what stands below a fraction or in a function is none either.
@@ -73,12 +70,13 @@ fn multiple(name: &str, product: &str) -> Option<String> {
     if is_sum(before, None) || is_sum(behind, Some(')')) || is_below || is_inside {
         return None;
     }
-    ordered(&[own, other], &[&format!("{before}(1){behind}"), "1"], 2)
+    let factor = format!("{before}(1){behind}");
+    ordered(&[own, other], &[&factor, "1"], 2, names)
 }
 
 /// Whether terms are added outside of all brackets, after a sign that stands `before` the text; a sign before the first
 /// of them, or in an exponent, adds nothing.
-fn is_sum(text: &str, mut before: Option<char>) -> bool {
+pub(crate) fn is_sum(text: &str, mut before: Option<char>) -> bool {
     let mut depth = 0_i32;
     for char in text.chars().filter(|char| !char.is_whitespace()) {
         match char {
@@ -95,7 +93,7 @@ fn is_sum(text: &str, mut before: Option<char>) -> bool {
 }
 
 /// Values in the order of the components.
-fn ordered(order: &[usize], values: &[&str], width: usize) -> Option<String> {
+fn ordered(order: &[usize], values: &[&str], width: usize, names: &Names) -> Option<String> {
     if order.len() != width || values.len() != width {
         return None;
     }
@@ -103,40 +101,93 @@ fn ordered(order: &[usize], values: &[&str], width: usize) -> Option<String> {
         .map(|place| {
             let at = order.iter().position(|own| *own == place)?;
             let value = values[at];
-            (!value.is_empty() && name_in(value).is_none()).then(|| format!("({value})"))
+            (!value.is_empty() && names.first_in(value).is_none()).then(|| format!("({value})"))
         })
         .collect();
     Some(format!("[{}]", entries?.join("; ")))
 }
 
-/// The component that all of a text names: `x1`, `x_1`, `X_{2}`, `θ₁`, `A1`.
-fn whole_name(text: &str) -> Option<usize> {
-    let text = text.trim();
-    let (place, index) = name_in(text)?;
-    (place == (0..text.len())).then_some(index)
+/// The names of components.
+#[derive(Debug, Default)]
+pub(crate) struct Names {
+    /// Spellings of those without an index, and which components they are.
+    own: Vec<(String, usize)>,
 }
 
-/// The first name of a component in a text, and which one it is. Letters of stiffnesses, masses and lengths, which have
-/// indices too, name none.
-fn name_in(text: &str) -> Option<(Range<usize>, usize)> {
-    const STEMS: &[&str] = &[
-        "x", "X", "y", "Y", "u", "U", "q", "Q", "a", "A", "\\theta", "theta", "θ", "Θ", "\\varphi",
-        "\\phi", "phi", "φ", "ϕ", "Φ",
-    ];
-    let is_letter = |char: char| char.is_alphabetic() || char == '\\';
-    text.char_indices().find_map(|(at, char)| {
-        let begins = is_letter(char)
-            && !text[..at].ends_with(|before: char| is_letter(before) || before == '_');
-        let stem = STEMS
-            .iter()
-            .find(|stem| begins && text[at..].starts_with(**stem))?;
-        let rest = &text[at + stem.len()..];
-        let (index, length) = index_of(rest)?;
-        let end = at + stem.len() + length;
-        let is_whole =
-            !text[end..].starts_with(|behind: char| behind.is_alphanumeric() || behind == '_');
-        is_whole.then_some((at..end, index))
-    })
+impl Names {
+    /// Those of coordinates with these symbols.
+    pub(crate) fn of<'s>(symbols: impl IntoIterator<Item = &'s str>) -> Self {
+        let mut own = Vec::new();
+        for (place, symbol) in symbols.into_iter().enumerate() {
+            let is_letter = symbol.chars().count() == 1 && symbol.chars().all(char::is_alphabetic);
+            if !is_letter {
+                continue;
+            }
+            let word = Letters::spelling(symbol).unwrap_or_default();
+            let capital = symbol.chars().flat_map(char::to_uppercase).collect();
+            let all = [symbol.to_owned(), capital, format!("\\{word}"), word];
+            own.extend(all.into_iter().map(|spelling| (spelling, place + 1)));
+        }
+        // `theta` before `t`.
+        own.sort_by_key(|(spelling, _)| std::cmp::Reverse(spelling.len()));
+        Self { own }
+    }
+
+    /// The component that all of a text names: `x1`, `x_1`, `X_{2}`, `θ₁`, `A1`.
+    pub(crate) fn whole(&self, text: &str) -> Option<usize> {
+        let text = text.trim();
+        let (place, index) = self.first_in(text)?;
+        (place == (0..text.len())).then_some(index)
+    }
+
+    /// The two components of `x2/x1`.
+    pub(crate) fn quotient(&self, ratio: &str) -> Option<(usize, usize)> {
+        let bare = ratio
+            .strip_prefix('(')
+            .and_then(|rest| rest.strip_suffix(')'));
+        let ratio = bare.unwrap_or(ratio);
+        let ratio = ratio
+            .strip_prefix("\\frac{")
+            .and_then(|rest| rest.strip_suffix('}'))
+            .map_or_else(|| ratio.to_owned(), |rest| rest.replacen("}{", "/", 1));
+        let (above, below) = ratio.split_once('/')?;
+        Some((self.whole(above)?, self.whole(below)?))
+    }
+
+    /// The first name of a component in a text, and which one it is. Letters of stiffnesses, masses and lengths, which
+    /// have indices too, name none.
+    pub(crate) fn first_in(&self, text: &str) -> Option<(Range<usize>, usize)> {
+        const STEMS: &[&str] = &[
+            "x", "X", "y", "Y", "u", "U", "q", "Q", "a", "A", "\\theta", "theta", "θ", "Θ",
+            "\\varphi", "\\phi", "phi", "φ", "ϕ", "Φ",
+        ];
+        let is_letter = |char: char| char.is_alphabetic() || char == '\\';
+        text.char_indices().find_map(|(at, char)| {
+            let begins = is_letter(char)
+                && !text[..at].ends_with(|before: char| is_letter(before) || before == '_');
+            if !begins {
+                return None;
+            }
+            let behind = &text[at..];
+            let indexed = STEMS
+                .iter()
+                .filter(|stem| behind.starts_with(**stem))
+                .find_map(|stem| {
+                    let (index, length) = index_of(&behind[stem.len()..])?;
+                    Some((at + stem.len() + length, index))
+                });
+            let own = || {
+                let mut own = self.own.iter();
+                let (spelling, index) = own.find(|(own, _)| behind.starts_with(own.as_str()))?;
+                Some((at + spelling.len(), *index))
+            };
+            let is_whole = |(end, _): &(usize, usize)| {
+                !text[*end..].starts_with(|next: char| next.is_alphanumeric() || next == '_')
+            };
+            let found = indexed.filter(is_whole).or_else(|| own().filter(is_whole));
+            found.map(|(end, index)| (at..end, index))
+        })
+    }
 }
 
 /// An index, `1`, `_1`, `_{1}` or `₁`, and its length.
@@ -180,7 +231,11 @@ pub(crate) fn ratio_as_list(typed: &str) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::components_of;
+    use super::Names;
+
+    fn components_of(typed: &str, width: usize) -> Option<String> {
+        super::components_of(typed, width, &Names::default())
+    }
 
     #[test]
     fn relations_of_all_components_are_shapes() {

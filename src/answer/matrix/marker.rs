@@ -261,7 +261,13 @@ impl Marker for Prepared {
                 && listed.rows.iter().all(|row| row.len() == setup.columns)
         };
         let wanted = Wanted::Matrix(Some(setup.rows).filter(|rows| *rows == setup.columns));
-        let listed = response.list(&setup.lexicon, &setup.units, wanted, fits);
+        let read =
+            |response: Passage<'_>| response.list(&setup.lexicon, &setup.units, wanted, fits);
+        let without_units = || {
+            let bare = response.without_units_of_entries(&setup.units, false)?;
+            read(bare.passage()).ok()
+        };
+        let listed = read(response).or_else(|error| without_units().ok_or(error));
         let listed = match listed {
             Ok(listed) if fits(&listed) => listed,
             Ok(Listed { rows, .. }) => {

@@ -30,7 +30,7 @@ use self::span::{lies_in, vectors};
 use super::letters::Allowed;
 use super::matrix::Written;
 use super::meaning::{Meaning, Prefer};
-use super::{Answer, AnswerError, Blank, Context, Declare, Marker, ShapeScale, Tolerance};
+use super::{Answer, AnswerError, Blank, Context, Declare, Marker, Role, ShapeScale, Tolerance};
 use crate::expr::{Expr, Field, Name, Shape};
 use crate::quantity::{Absent, NodeId};
 use crate::response::Lexicon;
@@ -61,6 +61,8 @@ pub(crate) struct Setup {
     scale: AskedScale,
     written: Written,
     units: Vec<Unit>,
+    /// The symbols of the coordinates, in their order.
+    coordinates: Vec<String>,
     meaning: Meaning,
     lexicon: Lexicon,
     /// The letters of its answer line.
@@ -114,6 +116,9 @@ pub(crate) fn read(part: &Table<'_>, declare: &mut dyn Declare) -> Option<Box<dy
     let own = Name::new(text.value.as_str());
     let named = declare.graph().find(&own).map(|_| own);
     let allowed = Allowed::read(part, declare, named.as_ref(), false)?;
+    let known = declare.known();
+    let coordinates = known.iter().filter(|own| own.role == Role::Coordinate);
+    let coordinates = coordinates.map(|own| own.symbol.plain()).collect();
     Some(Box::new(AskedMode {
         key,
         asked: asked?,
@@ -124,6 +129,7 @@ pub(crate) fn read(part: &Table<'_>, declare: &mut dyn Declare) -> Option<Box<dy
             scale,
             written,
             units: declare.units_of(key),
+            coordinates,
             meaning: Meaning::of(declare, Prefer::Quantities),
             letters: allowed.letters(),
             lexicon: allowed.lexicon,

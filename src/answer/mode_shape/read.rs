@@ -21,11 +21,33 @@ pub(crate) struct Shapes {
 impl Prepared {
     /// How a response can be read: by rows, and by columns where both are to be had.
     pub(crate) fn read(&self, response: Passage<'_>) -> Result<Vec<Shapes>, Unreadable> {
+        let read = self.read_list(response);
+        let Err(why) = read else {
+            return read;
+        };
+        let setup = &self.setup;
+        // Relations say nothing of the size but where the first component is one.
+        let is_one = self.keys.len() == 1 && setup.scale != AskedScale::Mass;
+        let solved = is_one
+            .then(|| response.solved_components(self.width(), &setup.coordinates))
+            .flatten();
+        let is_scaled = setup.scale != AskedScale::Mass;
+        let bare = |list: Passage<'_>| list.without_units_of_entries(&setup.units, is_scaled);
+        let read = |list: Passage<'_>| {
+            let as_it_is = self.read_list(list).ok();
+            as_it_is.or_else(|| self.read_list(bare(list)?.passage()).ok())
+        };
+        let other = solved.and_then(|solved| read(solved.passage()));
+        let other = other.or_else(|| self.read_list(bare(response)?.passage()).ok());
+        other.ok_or(why)
+    }
+
+    fn read_list(&self, response: Passage<'_>) -> Result<Vec<Shapes>, Unreadable> {
         let setup = &self.setup;
         let (width, count) = (self.width(), self.keys.len());
         // Relations say nothing of the size.
         let related = (count == 1 && setup.scale == AskedScale::Any)
-            .then(|| response.related_components(width))
+            .then(|| response.related_components(width, &setup.coordinates))
             .flatten();
         let reworded = related.unwrap_or_else(|| response.ratio_as_list());
         let response = reworded.passage();
