@@ -192,6 +192,7 @@ impl Words {
             }
         }
         words.add_lengths();
+        words.add_velocities();
         words.add_rates();
         words.add_bare_frequency(entries);
         words
@@ -550,6 +551,32 @@ impl Words {
         for (spelling, sense) in lengths {
             if !self.knows("L") && !self.knows(&spelling) {
                 self.add(&spelling, sense, 0);
+            }
+        }
+    }
+
+    /// `v` and `a` for the velocity and the acceleration of a coordinate x, `v1` and `a1` for those of x₁, where no name
+    /// of the item has that letter and no other coordinate that index.
+    fn add_velocities(&mut self) {
+        const POSITIONS: [char; 4] = ['x', 'y', 'z', 's'];
+        let of = |(spelling, name): &(String, Name)| {
+            let index = spelling.strip_prefix(POSITIONS)?;
+            let is_index = index.bytes().all(|byte| byte.is_ascii_digit());
+            is_index.then(|| (index.to_owned(), name.clone()))
+        };
+        let mut positions: Vec<(String, Name)> = self.moving.iter().filter_map(of).collect();
+        positions.dedup();
+        for (index, name) in &positions {
+            let is_other = |(own, other): &(String, Name)| own == index && other != name;
+            if positions.iter().any(is_other) {
+                continue;
+            }
+            for (letter, order) in [("v", 1), ("a", 2)] {
+                let word = format!("{letter}{index}");
+                if !self.knows(letter) && !self.knows(&word) {
+                    let rate = Expr::name(name.clone()).prime(order);
+                    self.add(&word, WordSense::Leaf(rate), 0);
+                }
             }
         }
     }
