@@ -136,6 +136,15 @@ fn are_after_values(tokens: &[Token]) -> bool {
     };
     tokens.iter().enumerate().all(|(at, token)| {
         let before = |count: usize| at.checked_sub(count).map(|at| &tokens[at].item);
+        // `0.3 t m`, where nothing more belongs to the term.
+        let is_end = matches!(
+            tokens.get(at + 1).map(|next| &next.item),
+            None | Some(Item::Sign('+' | '-' | ')'))
+        );
+        let is_time = matches!(before(1), Some(Item::Leaf(leaf)) if has_time(leaf));
+        if is_end && is_time {
+            return true;
+        }
         let is_factor = before(1) == Some(&Item::Sign('*'));
         let value = before(if is_factor { 2 } else { 1 });
         // `H(t)` is a function of its own.
@@ -234,6 +243,23 @@ fn operation(operator: Operator, left: &Expr, right: &Expr) -> Result<Operands, 
             (Some(left), (!is_unit).then_some(right), unit)
         }
         (_, Some(own), Some(other)) => {
+            // `0.3 m/s t + 0.02 m sin(5 t)`: the time has its unit, too.
+            let timed = |term: &Expr, unit: &Unit| {
+                let second = Unit::parse("s").ok().filter(|_| has_time(term))?;
+                unit.times(&second)
+            };
+            let is_same = own.dimension() == other.dimension();
+            if !is_same
+                && let Some(timed) = timed(&left, &own)
+                && timed.dimension() == other.dimension()
+            {
+                let left = converted(left, &timed, &other)?;
+                return Ok((Some(left), Some(right), Some(other)));
+            }
+            let other = match timed(&right, &other).filter(|_| !is_same) {
+                Some(timed) => timed,
+                None => other,
+            };
             (Some(left), Some(converted(right, &other, &own)?), Some(own))
         }
         (_, Some(_), None) if is_zero(&right) => (Some(left), None, own),
@@ -242,6 +268,17 @@ fn operation(operator: Operator, left: &Expr, right: &Expr) -> Result<Operands, 
         }
         _ => return Err(Trouble::Value(ValueTrouble::UnitOfOne)),
     })
+}
+
+/// Whether the time is a factor of a term.
+fn has_time(term: &Expr) -> bool {
+    match term.kind() {
+        Kind::Name(name) => name.as_str() == "t",
+        Kind::Negate(inner) => has_time(inner),
+        Kind::Binary(Operator::Multiply, left, right) => has_time(left) || has_time(right),
+        Kind::Binary(Operator::Divide, above, _) => has_time(above),
+        _ => false,
+    }
 }
 
 /// An argument of a function or an exponent as a pure number: without the units of angles, and of rates beside a time
@@ -377,6 +414,10 @@ mod tests {
                 "mm",
             ),
             ("0.2 m t/s", "0.2*t", "m/s"),
+            ("0.2 t m + 3 m sin(t)", "0.2*t + 3*sin(t)", "m"),
+            ("3 mm sin(t) + 0.2 m/s t", "3*sin(t) + 200*t", "mm"),
+            ("3 m sin(t) - 0.2 m/s t", "3*sin(t) - 0.2*t", "m"),
+            ("3 m/s * t + 2 m sin(t)", "3*t + 2*sin(t)", "m"),
             ("0.5 m cos(5 rad/s t - 0.9 rad)", "0.5*cos(5*t - 0.9)", "m"),
             (
                 "0.5 m cos(5 rad/s * t - 30°)",
@@ -422,6 +463,8 @@ mod tests {
             "0.5 cos(2 t)",
             "0.5 mm e^(-t) + 2 sin(t)",
             "m cos(t)",
+            "2 m/s sin(t) + 3 m cos(t)",
+            "2 m/s^2 t + 3 m cos(t)",
             "cos(3 Hz t)",
             "cos(2 m t)",
             "2 t",

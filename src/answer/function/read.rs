@@ -207,10 +207,10 @@ impl Prepared<'_> {
         typed.fitting(|expr| self.dimension_trouble(expr).is_none())
     }
 
-    /// Numbers without data may be in the unit that is asked for.
+    /// Numbers without data beside them may be in the unit that is asked for.
     fn bare(&self, expr: Expr) -> Response {
         let setup = &self.setup;
-        let shown = setup.unit.filter(|_| !self.has_data(&expr));
+        let shown = setup.unit.filter(|_| !self.has_data(&without_waves(&expr)));
         let units: Vec<Unit> = [Unit::ONE].into_iter().chain(shown).collect();
         Response {
             reading: Reading {
@@ -228,7 +228,14 @@ impl Prepared<'_> {
     fn with_unit(&self, typed: Passage<'_>) -> Option<Result<Response, Unreadable>> {
         let setup = &self.setup;
         let own = setup.unit?;
-        let read = match self.measured(typed, &setup.of_numbers) {
+        // Letters of the question in its waves do not matter: `13.5 mJ sin²(ω t)`.
+        let of_letters = || {
+            let read = self.measured(typed, &setup.lexicon).ok()?;
+            let is_of_numbers = !self.has_data(&without_waves(&read.value.formula));
+            (is_of_numbers && read.value.unit.is_some()).then_some(read)
+        };
+        let read = self.measured(typed, &setup.of_numbers);
+        let read = match read.or_else(|error| of_letters().ok_or(error)) {
             Ok(read) => read,
             Err(error) => {
                 let has_no_common = matches!(
