@@ -18,7 +18,17 @@ impl Words {
         {
             return Some(format!("{letter}^{power}"));
         }
-        let longer = allowed().filter(|name| name.chars().nth(1).is_some());
+        // Nobody types `L1` for `m1`: of a letter with an index the letter is no slip.
+        let letter = |name: &str| {
+            let stem = name.trim_end_matches(|last: char| last.is_ascii_digit());
+            let is_indexed = stem.len() < name.len() && stem.chars().nth(1).is_none();
+            is_indexed.then(|| vibank_source::lower(stem))
+        };
+        let is_other = |name: &str| {
+            let pair = letter(word).zip(letter(name));
+            pair.is_some_and(|(own, other)| own != other)
+        };
+        let longer = allowed().filter(|name| name.chars().nth(1).is_some() && !is_other(name));
         let is_word = word.chars().nth(1).is_some();
         let found = is_word.then(|| nearest(word, longer)).flatten();
         found.map(str::to_owned)

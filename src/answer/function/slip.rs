@@ -9,6 +9,8 @@ use crate::unit::Unit;
 
 /// A difference of this many half-widths is near.
 const NEAR: f64 = 3.0;
+/// A value of so many half-widths is seen to be right.
+const SEEN: f64 = 8.0;
 /// Samples that a motion has to begin with to begin rightly.
 const FIRST: usize = 3;
 
@@ -71,9 +73,12 @@ impl Prepared<'_> {
         };
         let largest = |of: &[f64]| of.iter().copied().fold(0.0, f64::max);
         let grows = largest(&differences) > 2.0 * largest(&differences[..differences.len() / 3]);
+        // What begins with nothing begins alike whatever follows.
+        let mut first = self.values.iter().zip(&self.halves).take(FIRST);
+        let is_seen = first.any(|(key, half)| key.abs() > SEEN * half);
         if is_within(differences.len(), NEAR) {
             Some(Slip::Near(Close::Rounding))
-        } else if is_within(FIRST, 2.0) && grows {
+        } else if is_seen && is_within(FIRST, 2.0) && grows {
             Some(Slip::RunsAway)
         } else {
             None
