@@ -9,7 +9,7 @@ use std::ops::Range;
 
 use self::after::trail;
 use self::around::{bracketed, fence, program, quotes};
-use self::before::{bullet, definition, described, lead};
+use self::before::{bullet, definition, described, is_of_motion, lead, named_equation};
 pub(crate) use self::numbered::enumeration;
 use self::numbered::number_of_item;
 use super::words::WITHDRAWALS;
@@ -25,6 +25,7 @@ pub(crate) fn answer_in(typed: &str) -> Range<usize> {
         let text = &typed[own.clone()];
         let inner = lead(text)
             .or_else(|| described(text))
+            .or_else(|| named_equation(text))
             .or_else(|| bullet(text))
             .or_else(|| definition(text))
             .or_else(|| number_of_item(text))
@@ -135,6 +136,41 @@ mod tests {
             ("(2) x = 5", "(2) x = 5"),
             ("(b) x + c", "(b) x + c"),
             ("a) static", "a) static"),
+            ("a1) m x'' = -k x", "m x'' = -k x"),
+            ("d2) (1, -0.5)", "(1, -0.5)"),
+            ("b2) [1 2; 3 4]", "[1 2; 3 4]"),
+            ("c2) k/m", "k/m"),
+            ("a.1) 5 m", "5 m"),
+            ("a1. x = 5 m", "x = 5 m"),
+            ("a1. m", "a1. m"),
+            ("a1) 5 m a2) 6 m", "a1) 5 m a2) 6 m"),
+            ("a1 x) = 3", "a1 x) = 3"),
+            ("a10) x", "a10) x"),
+            ("Block 1: m x'' + k x = 0", "m x'' + k x = 0"),
+            ("m1: m ẍ + k x = 0", "m ẍ + k x = 0"),
+            ("eq. (2): m x'' + k x = 0", "m x'' + k x = 0"),
+            ("2: m x'' + k x = 0", "m x'' + k x = 0"),
+            ("ΣF = m a: -k x = m x''", "-k x = m x''"),
+            ("k: m x'' = 0", "k: m x'' = 0"),
+            ("2 k x: m + x'' = 0", "2 k x: m + x'' = 0"),
+            ("mode 2: ω = 5 rad/s", "mode 2: ω = 5 rad/s"),
+            ("m x'' + k x = 0 (block 1)", "m x'' + k x = 0"),
+            ("m x'' + k x = 0 for cart 1", "m x'' + k x = 0"),
+            ("m x'' + k x = 0 (x1, x2 to the right)", "m x'' + k x = 0"),
+            (
+                "m x'' + k x = F cos (omega t)",
+                "m x'' + k x = F cos (omega t)",
+            ),
+            ("m x'' = -k (x double dot)", "m x'' = -k (x double dot)"),
+            ("ω = 5 rad/s (mode 2)", "ω = 5 rad/s (mode 2)"),
+            ("0 (translation)", "0"),
+            ("[1 2; 3 4] (symmetric)", "[1 2; 3 4]"),
+            ("19.4 rad/s (double)", "19.4 rad/s"),
+            ("5 m (negative)", "5 m (negative)"),
+            ("5 (metres)", "5 (metres)"),
+            ("underdamped (double)", "underdamped (double)"),
+            ("(1, -1), in phase", "(1, -1)"),
+            ("k/m, in phase", "k/m, in phase"),
             ("k/m // from Newton", "k/m"),
             ("0.2 // mm", "0.2 // mm"),
             ("k1 // k2", "k1 // k2"),

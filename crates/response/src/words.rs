@@ -494,6 +494,40 @@ pub(crate) const WITHDRAWALS: &[&str] = &[
     "incorrecto",
 ];
 
+/// Words after a value that repeat what it says, and change nothing: none of a sign, a direction or a factor.
+pub(crate) const REMARKS: &[&str] = &[
+    "translation",
+    "rotation",
+    "rigid body",
+    "rigid-body",
+    "rigid body mode",
+    "rigid-body mode",
+    "symmetric",
+    "symmetrical",
+    "singular",
+    "double",
+    "double root",
+    "twofold",
+    "dimensionless",
+    "no unit",
+    "unitless",
+    "in phase",
+    "out of phase",
+    "in opposition",
+    "in antiphase",
+    "opposed",
+    "lowest",
+    "highest",
+    "lower",
+    "upper",
+    "underdamped",
+    "overdamped",
+    "constant",
+    "any combination",
+    "any multiple",
+    "or any multiple",
+];
+
 /// Words of a remark in brackets after an answer, `(to 3 s.f.)`, `(in SI units)`.
 pub(crate) const ASIDES: &[&str] = &[
     "approx",

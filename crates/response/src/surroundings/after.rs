@@ -1,9 +1,10 @@
 //! Words, remarks and reasons after an answer.
 
+use super::before::is_of_motion;
 use crate::letters::{combining, greek_word};
 use crate::signs::is_apostrophe;
 use crate::vocabulary::ALIASES;
-use crate::words::{ASIDES, REASONS, SEALS, TRAILS, TURNING};
+use crate::words::{ASIDES, REASONS, REMARKS, SEALS, TRAILS, TURNING};
 use vibank_formula::expr::Function;
 use vibank_formula::unit::Unit;
 use vibank_source::lower;
@@ -30,6 +31,9 @@ pub(crate) fn trail(text: &str) -> Option<usize> {
     }
     if let Some(at) = reason(text) {
         return Some(text.len() - at);
+    }
+    if let Some(length) = body(text).or_else(|| remark(text)) {
+        return Some(length);
     }
     // A row of LaTeX that none follows.
     if text.ends_with("\\\\") {
@@ -153,6 +157,41 @@ fn is_of_formula(word: &str) -> bool {
         .map(Function::name)
         .chain(ALIASES.iter().map(|(name, _)| *name));
     is_letter(word) || names.any(is_call)
+}
+
+/// The length of what says for which body an equation of motion holds: `… = 0 (block 1)`, `… = 0 for cart 1`,
+/// `… = 0 (x to the right)`.
+fn body(text: &str) -> Option<usize> {
+    /// A shorter word may be a letter of a formula.
+    const MIN_LETTERS: usize = 4;
+    const OF_FORMULAS: [&str; 4] = ["double", "dot", "prime", "times"];
+    let in_brackets = || text.strip_suffix(')')?.rsplit_once(" (");
+    let (before, said) = in_brackets().or_else(|| text.rsplit_once(" for "))?;
+    let is_sign = |char: char| "=+*/^()[]{}\\'".contains(char);
+    let is_long = |word: &str| {
+        let word = word.trim_end_matches([',', ';', '.']);
+        word.chars().count() >= MIN_LETTERS
+            && word.chars().all(char::is_alphabetic)
+            && greek_word(&lower(word)).is_none()
+    };
+    let mut words = said.split_whitespace();
+    let is_said = words.clone().any(is_long)
+        && !words.any(|word| OF_FORMULAS.contains(&lower(word).as_str()) || is_of_formula(&lower(word)))
+        && !said.contains(is_sign);
+    (is_said && is_of_motion(before)).then(|| text.len() - before.len())
+}
+
+/// The length of a word that says what can be seen anyway, after a value, a list or an equation: `0 (translation)`,
+/// `[1 2; 2 5] (symmetric)`, `(1, -1), in phase`.
+fn remark(text: &str) -> Option<usize> {
+    let in_brackets = |open, close| text.strip_suffix(close)?.rsplit_once(open);
+    let (before, said) = in_brackets(" (", ')')
+        .or_else(|| in_brackets(" [", ']'))
+        .or_else(|| text.rsplit_once(", "))?;
+    let first = before.chars().next()?;
+    let is_value = first.is_ascii_digit() || "([{-.−".contains(first) || before.contains('=');
+    let is_said = REMARKS.contains(&lower(said.trim()).as_str());
+    (is_value && is_said).then(|| text.len() - before.len())
 }
 
 /// The length of what says to how many figures an answer is given: `to 3 s.f.`, `to 3 significant figures`.

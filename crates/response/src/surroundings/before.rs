@@ -1,7 +1,7 @@
 //! Words, marks and numbers before an answer.
 
 use super::behind_words;
-use crate::letters::greek_word;
+use crate::letters::{greek_word, is_dotted};
 use crate::signs::{BULLETS, is_apostrophe, is_minus};
 use crate::words::LEADS;
 use vibank_source::lower;
@@ -92,6 +92,38 @@ pub(crate) fn described(text: &str) -> Option<usize> {
         || value.starts_with("\\begin");
     (are_words && is_value && !behind.starts_with('=') && !behind.contains(':'))
         .then(|| text.len() - value.len())
+}
+
+/// The length of what names an equation of motion before it, with its colon: `Block 1: m x'' = -k x`, `m1: …`, `eq. (2): …`,
+/// `ΣF = m a: …`. A sum or a product before a colon may be divided by what comes after it.
+pub(crate) fn named_equation(text: &str) -> Option<usize> {
+    const MAX_WORDS: usize = 5;
+    let (name, behind) = text.split_once(':')?;
+    let is_one = !behind.contains(':') && !behind.starts_with('=');
+    if !is_one || !behind.starts_with(' ') || !is_of_motion(behind) {
+        return None;
+    }
+    let is_statement = name.contains('=') || name.starts_with(['Σ', '∑']);
+    let words: Vec<&str> = name.split_whitespace().collect();
+    // `m1:` or `2:`; `k:` may be divided.
+    let is_name = |word: &&str| {
+        let word = word.trim_matches(['(', ')', '.']);
+        let is_index = |char: char| char.is_ascii_digit() || ('₀'..='₉').contains(&char);
+        let letters = word.trim_end_matches(is_index).trim_end_matches('_');
+        let is_numbered = letters.len() < word.len();
+        letters.chars().all(char::is_alphabetic) && (is_numbered || letters.len() > 1)
+    };
+    let is_named = !name.ends_with(' ') && words.len() <= MAX_WORDS && words.iter().all(is_name);
+    (is_statement || is_named && !words.is_empty()).then(|| text.len() - behind.len())
+}
+
+/// Whether a text is an equation of motion: it has an equals sign, and a derivative by time.
+pub(crate) fn is_of_motion(text: &str) -> bool {
+    const DERIVATIVES: [&str; 7] = ["dot", "d²", "d^2", "prime", "diff(", "D[", "∂²"];
+    let has_derivative = text.contains(is_apostrophe)
+        || text.chars().any(is_dotted)
+        || DERIVATIVES.iter().any(|sign| text.contains(sign));
+    has_derivative && text.contains('=')
 }
 
 /// The length of the mark of a list, a quotation or a prompt before an answer: `* x = 3`, `> x = 3`, `- **x = 3**`,

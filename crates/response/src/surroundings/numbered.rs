@@ -6,6 +6,9 @@ use crate::signs::is_minus;
 
 /// The length of a number or letter before an answer, as the parts of a sheet have: `1) 5 m`, `(a) x = 5 m`, `1. -5 m`.
 pub(crate) fn number_of_item(text: &str) -> Option<usize> {
+    if let Some(length) = label_of_field(text) {
+        return Some(length);
+    }
     let open = usize::from(text.starts_with('('));
     let label = text[open..].chars().next()?;
     let behind = &text[open + label.len_utf8()..];
@@ -39,6 +42,26 @@ pub(crate) fn number_of_item(text: &str) -> Option<usize> {
         && !behind.trim().is_empty()
         && !behind.trim_start().starts_with('=');
     (is_label && is_apart).then(|| text.len() - behind.len())
+}
+
+/// The length of a letter with a number before an answer, as the fields of a sheet have: `a1) m x'' = …`, `d2) (1, -1)`,
+/// `b.2) 5 m`, `a1. x = 5 m`.
+fn label_of_field(text: &str) -> Option<usize> {
+    let digit = |char: char| ('1'..='9').contains(&char);
+    let behind = text.strip_prefix(|first: char| ('a'..='h').contains(&first))?;
+    let behind = behind.strip_prefix('.').unwrap_or(behind);
+    let behind = behind.strip_prefix(digit)?;
+    let (behind, is_sure) = match behind.strip_prefix(')') {
+        Some(behind) => (behind, true),
+        None => {
+            let behind = behind.strip_prefix(['.', ':'])?;
+            (behind, behind.contains('='))
+        }
+    };
+    // Of `c1) … c2) …` each is an answer of its own.
+    let is_one = behind.matches('(').count() == behind.matches(')').count();
+    let is_apart = behind.starts_with(' ') && !behind.trim().is_empty();
+    (is_sure && is_one && is_apart).then(|| text.len() - behind.len())
 }
 
 /// The labels of several answers, `1) … 2) …`, `(a) … (b) …`, `1. x = … 2. y = …`; none where that is not how the text
