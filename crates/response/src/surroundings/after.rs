@@ -2,7 +2,7 @@
 
 use super::before::is_of_motion;
 use crate::letters::{combining, greek_word};
-use crate::signs::is_apostrophe;
+use crate::signs::{is_apostrophe, is_minus};
 use crate::vocabulary::ALIASES;
 use crate::words::{ASIDES, REASONS, REMARKS, SEALS, TRAILS, TURNING};
 use vibank_formula::expr::Function;
@@ -189,7 +189,8 @@ fn remark(text: &str) -> Option<usize> {
         .or_else(|| in_brackets(" [", ']'))
         .or_else(|| text.rsplit_once(", "))?;
     let first = before.chars().next()?;
-    let is_value = first.is_ascii_digit() || "([{-.−".contains(first) || before.contains('=');
+    let begins = first.is_ascii_digit() || "([{.".contains(first) || is_minus(first);
+    let is_value = begins || before.contains('=');
     let is_said = REMARKS.contains(&lower(said.trim()).as_str());
     (is_value && is_said).then(|| text.len() - before.len())
 }

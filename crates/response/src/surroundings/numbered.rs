@@ -2,6 +2,7 @@
 
 use std::ops::Range;
 
+use super::before::is_of_motion;
 use crate::signs::is_minus;
 
 /// The length of a number or letter before an answer, as the parts of a sheet have: `1) 5 m`, `(a) x = 5 m`, `1. -5 m`.
@@ -48,6 +49,16 @@ pub(crate) fn number_of_item(text: &str) -> Option<usize> {
 /// `b.2) 5 m`, `a1. x = 5 m`.
 fn label_of_field(text: &str) -> Option<usize> {
     let digit = |char: char| ('1'..='9').contains(&char);
+    // Any other letter in brackets may be a coefficient, `(c1) x' + k x = 0`.
+    if let Some(behind) = text
+        .strip_prefix("(a")
+        .and_then(|text| text.strip_prefix(digit))
+    {
+        let behind = behind
+            .strip_prefix(") ")
+            .filter(|behind| is_of_motion(behind))?;
+        return Some(text.len() - behind.len());
+    }
     let behind = text.strip_prefix(|first: char| ('a'..='h').contains(&first))?;
     let behind = behind.strip_prefix('.').unwrap_or(behind);
     let behind = behind.strip_prefix(digit)?;
