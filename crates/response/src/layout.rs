@@ -88,7 +88,7 @@ fn without_brackets_of_unit(mut text: String) -> String {
 
 /// The text with brackets in place of those of LaTeX, `\left\{ a, b \right\}`, and of its environments,
 /// `\begin{pmatrix} a & b \\ c & d \end{pmatrix}`.
-fn without_latex(text: &str) -> Cow<'_, str> {
+pub(crate) fn without_latex(text: &str) -> Cow<'_, str> {
     if !text.contains('\\') {
         return Cow::Borrowed(text);
     }

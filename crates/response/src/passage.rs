@@ -10,8 +10,8 @@ use super::pieces::{self, FunctionPiece};
 use super::reworded::{self, Reworded};
 use super::stated::{self, Stated};
 use super::{
-    Chain, Lexicon, Manner, Phrase, Typed, TypedError, components, distance, equated, equations,
-    free_letters, list, relation, sides, words,
+    Chain, Lexicon, Manner, Phrase, Typed, TypedError, components, distance, entry_units, equated,
+    equations, free_letters, layout, list, matrix_form, related, relation, sides, words,
 };
 use vibank_formula::expr::{Expr, Kind, Name};
 use vibank_formula::unit::Unit;
@@ -190,6 +190,15 @@ impl<'t> Passage<'t> {
         places.map(|place| self.part(place)).collect()
     }
 
+    /// The equations, one a row, that an equation of matrices and vectors is.
+    pub fn equations_of_matrices(self) -> Option<Reworded> {
+        if !self.0.contains(['[', '(', '\\']) || !self.0.contains('=') {
+            return None;
+        }
+        let plain = layout::without_latex(self.0);
+        matrix_form::equations_of(&plain).map(Reworded::of)
+    }
+
     /// The number that an equation bears, `(2) m x'' = …`, `2. m x'' = …` or `m x'' = … (2)`.
     pub fn number_of_equation(self) -> Option<Self> {
         equations::number_of_equation(self.0).map(Self::of)
@@ -349,10 +358,24 @@ impl<'t> Passage<'t> {
         naming::is_symbol(self.0)
     }
 
-    /// A shape that is typed as a relation of its components, `x2/x1 = -0.5`, as a list of this width; a ratio of them,
-    /// `1 : -0.5`, as a list, too.
-    pub fn related_components(self, width: usize) -> Option<Reworded> {
-        relation::components_of(self.0, width).map(Reworded::of)
+    /// A shape that is typed as a relation of its components, `x2/x1 = -0.5`, as a list of this width; the coordinates
+    /// have these symbols.
+    pub fn related_components(self, width: usize, symbols: &[String]) -> Option<Reworded> {
+        let names = relation::Names::of(symbols.iter().map(String::as_str));
+        relation::components_of(self.0, width, &names).map(Reworded::of)
+    }
+
+    /// A shape that is typed as several relations, `x2/x1 = 1.5, x3/x1 = 2`, or as one that is solved for no component,
+    /// `m1 x1 + m2 x2 = 0`, as a list of this width.
+    pub fn solved_components(self, width: usize, symbols: &[String]) -> Option<Reworded> {
+        let names = relation::Names::of(symbols.iter().map(String::as_str));
+        related::components_of(self.0, width, &names).map(Reworded::of)
+    }
+
+    /// A list whose entries have these units, each after its number, `(1 m, -7.5 rad)`, without them; they may all be
+    /// scaled alike.
+    pub fn without_units_of_entries(self, units: &[Unit], may_be_scaled: bool) -> Option<Reworded> {
+        entry_units::without(self.0, units, may_be_scaled).map(Reworded::of)
     }
 
     /// A ratio of components, `1 : -0.5`, as a list.

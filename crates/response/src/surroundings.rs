@@ -9,7 +9,7 @@ use std::ops::Range;
 
 use self::after::trail;
 use self::around::{bracketed, fence, program, quotes};
-use self::before::{bullet, definition, described, is_of_motion, lead, named_equation};
+use self::before::{bullet, definition, described, lead, named_equation};
 pub(crate) use self::numbered::enumeration;
 use self::numbered::number_of_item;
 use super::words::WITHDRAWALS;

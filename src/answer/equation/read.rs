@@ -16,8 +16,10 @@ impl Setup {
                 *why.why,
                 Why::EquationNumber | Why::InitialState | Why::UnitOfZero | Why::NotInequality
             );
-            let defined = (!is_beside).then(|| self.defined(response)).flatten();
-            defined.ok_or(why)
+            let defined = || (!is_beside).then(|| self.defined(response)).flatten();
+            // `[M][x''] + [K][x] = 0`
+            let rows = || self.alone(response.equations_of_matrices()?.passage()).ok();
+            defined().or_else(rows).ok_or(why)
         })
     }
 

@@ -116,6 +116,7 @@ fn aside(text: &str) -> Option<usize> {
     // unless it says of the value that it is another one, `20 mm (left)`.
     let is_of_value = || ends_in_value(before) && !TURNING.contains(&lower(aside).as_str());
     let are_words = (words.clone().count() > 1 || is_of_value())
+        && !words.clone().any(is_spoken_sign)
         && words.clone().all(is_word)
         && words.any(is_no_letter)
         && Unit::read(aside).is_err();
@@ -159,12 +160,16 @@ fn is_of_formula(word: &str) -> bool {
     is_letter(word) || names.any(is_call)
 }
 
+/// Whether a word stands for a sign in a formula, `(x double dot)`.
+fn is_spoken_sign(word: &str) -> bool {
+    ["double", "dot", "prime", "times"].contains(&lower(word).as_str())
+}
+
 /// The length of what says for which body an equation of motion holds: `… = 0 (block 1)`, `… = 0 for cart 1`,
 /// `… = 0 (x to the right)`.
 fn body(text: &str) -> Option<usize> {
     /// A shorter word may be a letter of a formula.
     const MIN_LETTERS: usize = 4;
-    const OF_FORMULAS: [&str; 4] = ["double", "dot", "prime", "times"];
     let in_brackets = || text.strip_suffix(')')?.rsplit_once(" (");
     let (before, said) = in_brackets().or_else(|| text.rsplit_once(" for "))?;
     let is_sign = |char: char| "=+*/^()[]{}\\'".contains(char);
@@ -176,7 +181,7 @@ fn body(text: &str) -> Option<usize> {
     };
     let mut words = said.split_whitespace();
     let is_said = words.clone().any(is_long)
-        && !words.any(|word| OF_FORMULAS.contains(&lower(word).as_str()) || is_of_formula(&lower(word)))
+        && !words.any(|word| is_spoken_sign(word) || is_of_formula(&lower(word)))
         && !said.contains(is_sign);
     (is_said && is_of_motion(before)).then(|| text.len() - before.len())
 }
