@@ -4,7 +4,7 @@
 use super::Sheet;
 use super::typed::TypedResponse;
 use crate::answer::{
-    AnswerKind, Answered, Credit, Marker, Marking, Naming, Note, Reason, Remark, Slip, Verdict,
+    AnswerKind, Answered, Close, Credit, Marker, Marking, Naming, Note, Reason, Remark, Slip, Verdict,
     Why, are_one_value,
 };
 use crate::expr::{Expr, Kind, Precise, Program, Slots, Variable, Workspace};
@@ -170,7 +170,10 @@ impl Forms<'_> {
         if in_form == 0 || in_form == marked.len() {
             return None;
         }
-        let counts = &marked.iter().rfind(is_in_form)?.own;
+        // The exact form counts before its rounded one: `√2 x0 ≈ 1.41 x0 = 0.2 m`.
+        let is_exact = |side: &&FormedSide<'_>| is_in_form(side) && !is_rounded(&side.own);
+        let exact = marked.iter().rfind(is_exact);
+        let counts = &exact.or_else(|| marked.iter().rfind(is_in_form))?.own;
         // Bare numbers before a value with its unit are in SI units, or in those of the sheet.
         let value = marked.iter().rfind(|side| !is_in_form(side))?;
         let is_value = |side: &FormedSide<'_>| {
@@ -178,7 +181,7 @@ impl Forms<'_> {
         };
         let agrees = is_right(&value.other)
             && marked.iter().all(|side| match is_in_form(&side) {
-                true => is_right(&side.own),
+                true => is_right(&side.own) || is_rounded(&side.own),
                 false => is_value(side),
             });
         if !is_right(counts) || agrees {
@@ -287,6 +290,12 @@ fn is_of_another(marking: &Marking) -> bool {
     marking.remarks.iter().any(|remark| {
         matches!(remark, Remark::Unreadable(unreadable) if matches!(*unreadable.why, Why::OtherQuantity | Why::Withdrawn))
     })
+}
+
+/// Whether it is the key but for rounded numbers in a formula.
+fn is_rounded(marking: &Marking) -> bool {
+    let near = Remark::from(Slip::Near(Close::RoundedFormula));
+    marking.remarks.contains(&near)
 }
 
 /// Whether it is the key, though it may lack a unit or figures.

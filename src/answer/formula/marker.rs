@@ -8,8 +8,8 @@ use super::slip::slip;
 use crate::answer::equality::{Comparable, Comparison, Points};
 use crate::answer::settle::{Candidate, Rule, settle};
 use crate::answer::{
-    Answered, Credit, Doubt, Echo, Key, Marker, Marking, Misfit, Nature, Note, Reading, Reason,
-    Remark, Slip, Trial, Unreadable, Verdict, Why,
+    Answered, Close, Credit, Doubt, Echo, Key, Marker, Marking, Misfit, Nature, Note, Reading,
+    Reason, Remark, Slip, Trial, Unreadable, Verdict, Why,
 };
 use crate::expr::Expr;
 use crate::response::{Passage, Trouble, Typed, TypedError};
@@ -65,8 +65,30 @@ impl Prepared {
                 Some(reading) => Marking::wrong(reading, Remark::from(Slip::UnequalSides)),
                 None => marking,
             },
+            Verdict::Wrong => self.before_rounding(response, &marking).unwrap_or(marking),
             _ => marking,
         })
+    }
+
+    /// The marking of a formula before its form with rounded numbers, `√(2k/m) ≈ 1.414 √(k/m)`, if it is right and all
+    /// other sides are the same or its rounded forms.
+    fn before_rounding(&self, response: Passage<'_>, last: &Marking) -> Option<Marking> {
+        if !is_rounded(last) {
+            return None;
+        }
+        let sides = response.sides(&self.setup.lexicon).ok()?;
+        let (_, before) = sides.split_last()?;
+        let mut right = None;
+        for side in before {
+            let read = self.readings(*side).ok()?.into_iter();
+            let mut marked = read.map(|read| self.judged(&read));
+            let marking =
+                marked.find(|marking| marking.verdict == Verdict::Right || is_rounded(marking))?;
+            if marking.verdict == Verdict::Right {
+                right = Some(marking);
+            }
+        }
+        right
     }
 
     /// The readings of a formula, the conventional one first: those of the right dimension, if one has it.
@@ -157,6 +179,12 @@ impl Prepared {
         };
         crate::answer::numeric::quantity(response, self.mark).is_ok_and(has_key_dimension)
     }
+}
+
+/// Whether a formula is the key but for rounded numbers.
+fn is_rounded(marking: &Marking) -> bool {
+    let near = Remark::from(Slip::Near(Close::RoundedFormula));
+    marking.remarks.contains(&near)
 }
 
 impl Marker for Prepared {
