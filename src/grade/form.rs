@@ -4,8 +4,8 @@
 use super::Sheet;
 use super::typed::TypedResponse;
 use crate::answer::{
-    AnswerKind, Answered, Close, Credit, Marker, Marking, Naming, Note, Reason, Remark, Slip, Verdict,
-    Why, are_one_value,
+    AnswerKind, Answered, Close, Credit, Marker, Marking, Naming, Note, Reason, Remark, Slip,
+    Verdict, Why, are_one_value,
 };
 use crate::expr::{Expr, Kind, Precise, Program, Slots, Variable, Workspace};
 use crate::numerics::Rational;
