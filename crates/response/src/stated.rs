@@ -514,13 +514,17 @@ fn letter(text: &str, lexicon: &Lexicon) -> Option<Letter> {
             kind => (kind, 0),
         };
         let Kind::Name(name) = inner else { return None };
-        return Some(Letter {
-            name: name.clone(),
-            order,
-            is_square: squared.is_some(),
-            is_known: true,
-            is_of_question: true,
-        });
+        // `v` stands for ẋ where nothing else is said of it.
+        let is_rate = |letter| word.starts_with(letter) && !name.as_str().starts_with(letter);
+        if order == 0 || !['v', 'a'].into_iter().any(is_rate) {
+            return Some(Letter {
+                name: name.clone(),
+                order,
+                is_square: squared.is_some(),
+                is_known: true,
+                is_of_question: true,
+            });
+        }
     }
     let bare = word.trim_end_matches(|last: char| last == '\'' || is_apostrophe(last));
     let order = word[bare.len()..].chars().count();

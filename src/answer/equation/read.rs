@@ -19,7 +19,7 @@ impl Setup {
             let defined = || (!is_beside).then(|| self.defined(response)).flatten();
             // `[M][x''] + [K][x] = 0`
             let rows = || self.alone(response.equations_of_matrices()?.passage()).ok();
-            defined().or_else(rows).ok_or(why)
+            rows().or_else(defined).ok_or(why)
         })
     }
 

@@ -111,7 +111,9 @@ impl Ends<'_> {
         // The unit that stands last serves the numbers before it.
         let behind = |at: usize| {
             let mut own = *unit;
-            for side in sides[at + 1..].iter().rev() {
+            // A longer chain is refused whatever its units are.
+            let behind = sides.get(at + 1..).filter(|_| sides.len() <= 3);
+            for side in behind.into_iter().flatten().rev() {
                 // What is wrong with a bound is reported where it is read.
                 let _ = self.number(*side, &mut own);
             }
