@@ -7,9 +7,10 @@ use super::points::{Choice, Choices, of_instance};
 use super::rows::Rows;
 use super::system::Other;
 use super::{Arc, Setup, told, written};
+use crate::answer::settle::{Candidate, Rule, settle};
 use crate::answer::{
-    Beside, Credit, Echo, Equations, Key, Marker, Marking, Misfit, Nature, Note, Reading, Remark,
-    Slip, Trial, Unreadable, Why,
+    Beside, Credit, Doubt, Echo, Equations, Key, Marker, Marking, Misfit, Nature, Note, Reading,
+    Remark, Slip, Trial, Unreadable, Why,
 };
 use crate::expr::{Equation, Kind, Name, Program};
 use crate::numerics::Rational;
@@ -27,6 +28,7 @@ pub(crate) struct Prepared {
     /// The points for these, once numbers were typed in place of letters.
     pub(crate) own: OnceCell<Choice>,
     pub(crate) mistakes: Vec<(usize, Arc<Vec<Program>>, Credit)>,
+    pub(crate) doubt: Doubt,
 }
 
 impl Prepared {
@@ -217,7 +219,29 @@ impl Marker for Prepared {
             Ok(equations) => equations,
             Err(why) => return Marking::unreadable(why),
         };
-        let reading = setup.reading(&equations);
+        let candidate = |equations: Vec<Equation>| Candidate {
+            shown: written(&equations),
+            marking: self.judged(equations, others),
+        };
+        // Looked for only where the conventional reading is not right.
+        let readings = std::iter::once_with(|| setup.others(response, &equations)).flatten();
+        let first = candidate(equations.clone());
+        settle(self.doubt, Rule::Stated, first, readings.map(candidate))
+    }
+
+    fn equations(&self, response: Passage<'_>) -> Option<Equations> {
+        Some(Equations {
+            unknowns: self.setup.unknowns.clone(),
+            key: self.setup.key.clone(),
+            typed: self.setup.read(response).unwrap_or_default(),
+        })
+    }
+}
+
+impl Prepared {
+    /// The marking of a reading, beside the responses to other parts.
+    fn judged(&self, equations: Vec<Equation>, others: &[Beside<'_>]) -> Marking {
+        let reading = self.setup.reading(&equations);
         let Some((equations, typed, rows)) = self.compared(equations) else {
             return Marking::unreadable(Why::IncomparableEquation);
         };
@@ -239,14 +263,6 @@ impl Marker for Prepared {
             return fewer(reading, typed.len(), found, needed);
         }
         self.wrong(reading, &equations, &typed, &others)
-    }
-
-    fn equations(&self, response: Passage<'_>) -> Option<Equations> {
-        Some(Equations {
-            unknowns: self.setup.unknowns.clone(),
-            key: self.setup.key.clone(),
-            typed: self.setup.read(response).unwrap_or_default(),
-        })
     }
 }
 

@@ -258,6 +258,7 @@ impl Answer for Equations {
             data,
             own: OnceCell::new(),
             mistakes,
+            doubt: context.doubt,
         }))
     }
 }

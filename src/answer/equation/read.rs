@@ -23,6 +23,22 @@ impl Setup {
         })
     }
 
+    /// What else a response of one equation may be meant as, of the same dimension: `k l^2/4θ`.
+    pub(crate) fn others(&self, response: Passage<'_>, taken: &[Equation]) -> Vec<Vec<Equation>> {
+        let [own] = response.equations()[..] else {
+            return Vec::new();
+        };
+        let Ok(typed) = own.chain(&self.lexicon, Manner::REAL) else {
+            return Vec::new();
+        };
+        let is_sound = |own: &[Equation]| own.iter().all(|own| own.check(&self.meaning).is_ok());
+        let has_sound = is_sound(taken);
+        let all = [typed.value].into_iter().chain(typed.others);
+        let all = all.filter_map(|chain| of_chain(&chain).ok());
+        all.filter(|own| *own != taken && (!has_sound || is_sound(own)))
+            .collect()
+    }
+
     /// The equations of a response whose other statements define letters.
     fn defined(&self, response: Passage<'_>) -> Option<Vec<Equation>> {
         let chains = response.defined_chains(&self.lexicon, Manner::REAL)?.ok()?;

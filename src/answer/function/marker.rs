@@ -10,9 +10,10 @@ use super::late::{OnSpan, Window};
 use super::phase::with_rounded_numbers;
 use super::samples::{fine, rounding, samples};
 use crate::answer::meaning::ORDERS;
+use crate::answer::settle::{Candidate, Rule, settle};
 use crate::answer::trial::typed as typed_number;
 use crate::answer::{
-    Close, Credit, Key, Marker, Marking, Misfit, Mistaken, Nature, Reading, Remark, Slip,
+    Close, Credit, Doubt, Key, Marker, Marking, Misfit, Mistaken, Nature, Reading, Remark, Slip,
     Tolerance, Trial,
 };
 use crate::expr::{Expr, Form, Inputs, Kind, Precise, Scalar, Undefined};
@@ -29,6 +30,8 @@ pub(crate) struct Response {
     pub(crate) reading: Reading,
     /// In SI units, for each of the units; none where the function has no value somewhere.
     pub(crate) values: Vec<Vec<f64>>,
+    /// What else may have been meant, where the rules for products without signs say what is.
+    pub(crate) others: Vec<Expr>,
 }
 
 /// Less than this share of a half-width is a rounding of the machine.
@@ -51,6 +54,7 @@ pub(crate) struct Prepared<'t> {
     /// Where data show that do not show on the span.
     pub(crate) windows: OnceCell<Vec<Window>>,
     pub(crate) data: Vec<Precise>,
+    pub(crate) doubt: Doubt,
 }
 
 /// A named mistake.
@@ -256,7 +260,15 @@ impl Marker for Prepared<'_> {
 
     fn mark(&self, response: Passage<'_>) -> Marking {
         match self.read(response) {
-            Ok(response) => self.judged(response),
+            Ok(response) => {
+                let others = response.others.clone().into_iter();
+                let candidate = |response: Response| Candidate {
+                    shown: self.setup.lexicon.written(&response.expr),
+                    marking: self.judged(response),
+                };
+                let others = others.map(|other| candidate(self.bare(other)));
+                settle(self.doubt, Rule::Stated, candidate(response), others)
+            }
             Err(why) => Marking::unreadable(why),
         }
     }

@@ -240,6 +240,7 @@ impl Answer for ComparedTimes {
             mistaken: context.mistakes.clone(),
             mistakes: OnceCell::new(),
             windows: OnceCell::new(),
+            doubt: context.doubt,
         }))
     }
 }

@@ -137,6 +137,7 @@ impl Prepared<'_> {
             values: self.values_in(&expr, &first.units).unwrap_or_default(),
             units: first.units,
             expr,
+            others: Vec::new(),
         })
     }
 
@@ -179,36 +180,63 @@ impl Prepared<'_> {
                 .or_else(|| self.with_rates(typed).map(Ok))
                 .unwrap_or_else(|| Err(Unreadable::typed(&error, typed))),
             Ok(read) => {
+                let all = read.clone();
                 let expr = self.of_right_dimension(read);
                 let unit = self.with_unit(typed).filter(|_| self.has_data(&expr));
                 match unit {
                     Some(Ok(_)) if self.has_dimension(&expr) => Err(Why::UnitOrQuantity.into()),
                     Some(read) if !self.has_dimension(&expr) => read,
                     _ if self.adds_angle(&expr) => Err(Why::AngleAdded.into()),
-                    _ => Ok(self.bare(expr)),
+                    _ => Ok(Response {
+                        others: self.others(all, &expr),
+                        ..self.bare(expr)
+                    }),
                 }
             }
         }
     }
 
+    /// The readings of a text beside the one that was taken which make as much sense as it does.
+    fn others(&self, typed: Typed<Expr>, taken: &Expr) -> Vec<Expr> {
+        let is_sound = self.makes_sense(taken);
+        let fits = |expr: &Expr| {
+            expr != taken
+                && self.dimension_trouble(expr).is_none()
+                && self.fits_in_steps(expr)
+                && (!is_sound || self.makes_sense(expr))
+        };
+        let all = [typed.value].into_iter().chain(typed.others);
+        all.filter(fits).collect()
+    }
+
+    /// Whether a formula in letters of the question has the dimension of the key, down to what stands in its waves.
+    fn makes_sense(&self, expr: &Expr) -> bool {
+        let found = expr.check(&self.setup.meaning).ok();
+        let dimension = found.and_then(|kind| kind.dimension());
+        self.has_data(expr) && dimension.is_some() && dimension == self.setup.kind.dimension()
+    }
+
     /// Where a text leaves several readings, the one of the right dimension.
     fn of_right_dimension(&self, typed: Typed<Expr>) -> Expr {
-        // `q0 cos t/√(LC)` makes sense in one way only, down to what stands in its waves.
-        let makes_sense = |expr: &Expr| {
-            let found = expr.check(&self.setup.meaning).ok();
-            let dimension = found.and_then(|kind| kind.dimension());
-            self.has_data(expr) && dimension.is_some() && dimension == self.setup.kind.dimension()
-        };
-        if !makes_sense(&typed.value)
-            && let Some(other) = typed.others.iter().find(|other| makes_sense(other))
+        // `q0 cos t/√(LC)` makes sense in one way only.
+        if !self.makes_sense(&typed.value)
+            && let Some(other) = typed.others.iter().find(|other| self.makes_sense(other))
         {
             return other.clone();
         }
-        typed.fitting(|expr| self.dimension_trouble(expr).is_none())
+        // Where numbers stand for data, steps may go against the dimensions; that speaks for no other reading.
+        let Typed { value, mut others } = typed;
+        others.retain(|other| self.fits_in_steps(other));
+        Typed { value, others }.fitting(|expr| self.dimension_trouble(expr).is_none())
+    }
+
+    /// Whether no step of a formula with letters of the question goes against the dimensions.
+    fn fits_in_steps(&self, expr: &Expr) -> bool {
+        !self.has_data(expr) || expr.check(&self.setup.meaning).is_ok()
     }
 
     /// Numbers without data beside them may be in the unit that is asked for.
-    fn bare(&self, expr: Expr) -> Response {
+    pub(crate) fn bare(&self, expr: Expr) -> Response {
         let setup = &self.setup;
         let shown = setup.unit.filter(|_| !self.has_data(&without_waves(&expr)));
         let units: Vec<Unit> = [Unit::ONE].into_iter().chain(shown).collect();
@@ -221,6 +249,7 @@ impl Prepared<'_> {
             values: self.values_in(&expr, &units).unwrap_or_default(),
             units,
             expr,
+            others: Vec::new(),
         }
     }
 
@@ -267,6 +296,7 @@ impl Prepared<'_> {
             values: self.values_in(&formula, &units).unwrap_or_default(),
             units,
             expr: formula,
+            others: Vec::new(),
         }))
     }
 
