@@ -50,9 +50,10 @@ pub(crate) fn otherwise(
         naming: &part.naming,
         mark: solution.mark(),
     };
-    let marking = match is_of_value {
-        true => forms.value(solution, sides),
-        false => forms.formula(sides),
+    let marking = if is_of_value {
+        forms.value(solution, sides)
+    } else {
+        forms.formula(sides)
     };
     if marking.is_some() {
         return marking;
@@ -180,9 +181,12 @@ impl Forms<'_> {
             is_right(&side.other) || self.is_one_value(side.typed, value.typed)
         };
         let agrees = is_right(&value.other)
-            && marked.iter().all(|side| match is_in_form(&side) {
-                true => is_right(&side.own) || is_rounded(&side.own),
-                false => is_value(side),
+            && marked.iter().all(|side| {
+                if is_in_form(&side) {
+                    is_right(&side.own) || is_rounded(&side.own)
+                } else {
+                    is_value(side)
+                }
             });
         if !is_right(counts) || agrees {
             return Some(counts.clone());

@@ -186,7 +186,7 @@ fn rows(list: &str) -> Vec<Vec<String>> {
             let piece = piece.trim();
             piece.starts_with(['[', '{', '(']) && group(piece) == Some(piece.len())
         };
-        if pieces.iter().all(|piece| is_group(&piece)) {
+        if pieces.iter().all(is_group) {
             let rows = pieces.iter().map(|piece| {
                 let piece = piece.trim();
                 row(&piece[1..piece.len() - 1])

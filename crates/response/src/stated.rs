@@ -424,10 +424,13 @@ fn customary(lexicon: &Lexicon) -> Vec<Definition> {
     found
 }
 
+/// A definition with its value as it was read; none where only the letter itself is said.
+type ReadDefinition = (Definition, Option<Result<Typed<Expr>, TypedError>>);
+
 /// Definitions with the lexicon that has their letters, and their values as they were read.
 struct Defined {
     lexicon: Lexicon,
-    all: Vec<(Definition, Option<Result<Typed<Expr>, TypedError>>)>,
+    all: Vec<ReadDefinition>,
 }
 
 impl Defined {
@@ -547,7 +550,7 @@ fn letter(text: &str, lexicon: &Lexicon) -> Option<Letter> {
 /// A formula with the letters as they are defined, in all readings of what they are.
 fn substituted(
     expr: &Expr,
-    definitions: &[(Definition, Option<Result<Typed<Expr>, TypedError>>)],
+    definitions: &[ReadDefinition],
     lexicon: &Lexicon,
 ) -> Result<Vec<Expr>, TypedError> {
     /// Readings of a formula with its definitions; those of the rules come first.

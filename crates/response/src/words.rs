@@ -777,8 +777,11 @@ pub(crate) const STATEMENTS: &[&str] = &[
     "donde",
 ];
 
-/// Letters of rates by the custom of the field, with the order of each, where these are the coordinates.
-pub(crate) const RATES: &[(&[&str], &[(&str, u8)])] = &[
+/// Coordinates, and the letters of their rates with the order of each.
+type CustomaryRates = (&'static [&'static str], &'static [(&'static str, u8)]);
+
+/// Letters of rates by the custom of the field.
+pub(crate) const RATES: &[CustomaryRates] = &[
     (&["x", "y", "z", "s", "u"], &[("v", 1), ("a", 2)]),
     (&["theta", "phi"], &[("omega", 1), ("alpha", 2)]),
     (&["q"], &[("i", 1)]),

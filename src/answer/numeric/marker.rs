@@ -311,7 +311,7 @@ impl Numbers {
             let arithmetic = number.arithmetic.as_ref();
             if arithmetic.is_some_and(has_pi) {
                 number.quantity.unit = Unit::radian();
-            } else if let Some(turned) = arithmetic.and_then(|own| in_degrees(own)) {
+            } else if let Some(turned) = arithmetic.and_then(in_degrees) {
                 number = turned;
             }
         }

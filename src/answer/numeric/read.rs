@@ -386,9 +386,12 @@ pub(crate) fn quantity(response: Passage<'_>, mark: DecimalMark) -> Result<Quant
 /// Whether a side without a unit is the other one in SI units, as `0.0142 = 14.2 mm`.
 fn are_equal_in_si(one: &TypedNumber, other: &TypedNumber) -> bool {
     let (a, b) = (&one.quantity.unit, &other.quantity.unit);
-    let in_si = |number: &TypedNumber, unit: &Unit| match number.quantity.unit.is_one() {
-        true => number.clone().with_unit(unit.coherent()),
-        false => number.clone(),
+    let in_si = |number: &TypedNumber, unit: &Unit| {
+        if number.quantity.unit.is_one() {
+            number.clone().with_unit(unit.coherent())
+        } else {
+            number.clone()
+        }
     };
     a.is_one() != b.is_one() && are_equal(&in_si(one, b), &in_si(other, a))
 }
