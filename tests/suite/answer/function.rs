@@ -147,7 +147,10 @@ fn a_letter_is_a_unit_where_only_that_fits() {
             // The time is no tonne.
             ("0.1 + 0.05 t", "wrong"),
             ("2 t", "wrong"),
-            ("0.1 cos(5t) + 0.05 sin(5t) H(t)", "unreadable"),
+            (
+                "0.1 cos(5t) + 0.05 sin(5t) H(t)",
+                "unreadable: it is not clear",
+            ),
             ("0.1118 cos 5t - 26.57°", "unreadable: brackets"),
             ("0.1118 cos(5t - 26.57°)", "right"),
         ],
