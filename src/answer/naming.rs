@@ -173,6 +173,18 @@ impl Naming {
             .is_some_and(|typed| self.is_asked(&typed))
     }
 
+    /// Whether a name is one of what is asked.
+    pub(crate) fn asks(&self, name: &Name) -> bool {
+        self.asked.contains(name)
+    }
+
+    /// Whether a letter of a side is what is asked, `2 ω`, also where its other letters are not known.
+    pub(crate) fn has_asked(&self, side: Passage<'_>) -> bool {
+        let letters = side.letters().into_iter();
+        let mut read = letters.filter_map(|letter| self.reads(letter));
+        read.any(|letter| self.is_of_key(&letter))
+    }
+
     /// Whether a formula is made of what is asked for, `2 ω`.
     pub(crate) fn is_of_key(&self, formula: &expr::Expr) -> bool {
         let names = formula.names();
@@ -243,9 +255,43 @@ impl Naming {
     }
 }
 
+/// What the steps before a value may be written in.
+#[derive(Debug, Default)]
+pub(crate) struct Steps {
+    /// The letters of the question, with and without their indices, and the period and the frequency.
+    pub(crate) letters: Lexicon,
+    /// The names of what is asked.
+    asked: Vec<Name>,
+}
+
+impl Steps {
+    pub(crate) fn of(declare: &dyn Declare, key: NodeId) -> Self {
+        let known = declare.known();
+        let own = known.iter().filter(|own| is_asked(declare, key, own));
+        let names = own.flat_map(|own| {
+            let letter = Name::new(parted(own.name.as_str()).0);
+            [own.name.clone(), letter]
+        });
+        Self {
+            letters: letters_of_steps(declare),
+            asked: names.collect(),
+        }
+    }
+
+    /// Whether a side is a formula of letters, be they one's own, of which none is what is asked: `√(K/J) = 19 rad/s`,
+    /// but not `2T = 1 s`.
+    pub(crate) fn are_in(&self, side: Passage<'_>) -> bool {
+        let is_of_asked = |letter: &Passage<'_>| {
+            let typed = letter.formula(&self.letters, Manner::default());
+            typed.is_ok_and(|typed| self.asked.iter().any(|own| typed.value.names().uses(own)))
+        };
+        side.is_of_free_letters() && !side.letters().iter().any(is_of_asked)
+    }
+}
+
 /// The letters that the steps before a value may be written in: those of the question, with and without their indices,
 /// and the period and the frequency.
-pub(crate) fn letters_of_steps(declare: &dyn Declare) -> Lexicon {
+fn letters_of_steps(declare: &dyn Declare) -> Lexicon {
     const CUSTOMARY: [&str; 2] = ["T", "f"];
     let mut lexicon = Lexicon::new();
     let known = declare.known();

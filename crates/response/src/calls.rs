@@ -4,6 +4,7 @@ use super::parser::{Parser, Result, has_unit, is_time, number, uses_time};
 use super::signs::DECIMAL;
 use super::token::{Item, Token};
 use super::vocabulary::Powered;
+use super::ways::Doubtful;
 use super::{Trouble, TypedError};
 use vibank_dynamics::numerics::Rational;
 use vibank_formula::expr::{Constant, Expr, Function, Kind, Operator};
@@ -141,7 +142,7 @@ impl Parser<'_> {
         if let [argument] = &arguments[..]
             && function != Function::Sqrt
             && let Some(end) = self.end_at_time(argument)
-            && self.ways.choose(false)
+            && self.ways.choose(Doubtful::Argument, false)
         {
             arguments = vec![self.times(argument.clone(), end)?];
         }
@@ -233,7 +234,7 @@ impl Parser<'_> {
         self.at += 1;
         let span = self.here();
         let behind = self.sum()?;
-        if !self.ways.choose(true) {
+        if !self.ways.choose(Doubtful::Comma, true) {
             arguments.push(behind);
             return Ok(());
         }
@@ -312,7 +313,7 @@ impl Parser<'_> {
                 Some(Item::Leaf(_) | Item::Unit(_)) => is_tight || !is_sign,
                 _ => !is_sign,
             };
-            if !self.ways.choose(by_rule) {
+            if !self.ways.choose(Doubtful::Argument, by_rule) {
                 break;
             }
             let factor = self.power()?;
@@ -322,7 +323,7 @@ impl Parser<'_> {
         if !is_root
             && self.is_sign('*')
             && let Some(end) = self.end_at_time(&argument)
-            && self.ways.choose(true)
+            && self.ways.choose(Doubtful::Argument, true)
         {
             argument = self.times(argument, end)?;
         }
@@ -330,7 +331,7 @@ impl Parser<'_> {
             && self.is_tight()
             // `√50/√2` is a quotient of roots.
             && !(is_root && matches!(self.tokens.get(self.at + 1).map(|next| &next.item), Some(Item::Root | Item::Radical)))
-            && self.ways.choose(false)
+            && self.ways.choose(Doubtful::Argument, false)
         {
             self.at += 1;
             let divisor = self.divisor(&argument)?;

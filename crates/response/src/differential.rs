@@ -3,46 +3,36 @@
 use super::letters::{Letters, combining, dotted, greek_word};
 use vibank_formula::work;
 
-/// Reads a quotient of differentials at a place: spelling of the name, order, end.
+/// Reads a quotient of differentials at a place, `dx/dt`, `(d^2 x)/(d t^2)`, `{dx}/{dt}`: spelling of the name, order, end.
 pub(crate) fn leibniz(text: &str, at: usize) -> Option<(String, u8, usize)> {
     let mut scanner = Differentials { text, at };
-    // `(d^2 x)/(d t^2)`.
-    if scanner.take("(") {
-        scanner.differential()?;
-        let order = scanner.order();
-        let (spelling, own) = scanner.name()?;
-        let is_whole = scanner.take(")")
-            && scanner.take("/")
-            && scanner.take("(")
-            && scanner.differential().is_some()
-            && scanner.take("t")
-            && scanner.order() == order
-            && scanner.take(")");
-        return is_whole.then_some((spelling, order + own, scanner.at));
-    }
-    let is_fraction = scanner.fraction();
+    let group = scanner.opening();
+    let is_fraction = group.is_none() && scanner.fraction();
     scanner.differential()?;
     let order = scanner.order();
     let (spelling, own) = scanner.name()?;
+    if group.is_some_and(|close| !scanner.take(close)) {
+        return None;
+    }
     scanner.over_time(is_fraction, order)?;
     let goes_on = scanner.text[scanner.at..]
         .starts_with(|next: char| next.is_ascii_alphanumeric() || next == '_');
-    (!goes_on || is_fraction).then_some((spelling, order + own, scanner.at))
+    let is_closed = is_fraction || scanner.text[..scanner.at].ends_with([')', '}']);
+    (!goes_on || is_closed).then_some((spelling, order + own, scanner.at))
 }
 
-/// Where the operator of a time derivative ends that begins at a place and comes before a bracket, `d/dt (m x')`.
-pub(crate) fn operator(text: &str, at: usize) -> Option<usize> {
+/// The order of the operator of a time derivative that begins at a place and comes before a bracket, `d/dt (m x')`,
+/// `d²/dt² (x + y)`, and where it ends.
+pub(crate) fn operator(text: &str, at: usize) -> Option<(u8, usize)> {
     let mut scanner = Differentials { text, at };
-    let is_fraction = scanner.fraction();
-    scanner.differential()?;
-    scanner.over_time(is_fraction, 1)?;
+    let order = scanner.operator()?;
     let behind = text[scanner.at..].trim_start();
     let behind = behind.strip_prefix("\\left").unwrap_or(behind);
-    behind.starts_with(['(', '[']).then_some(scanner.at)
+    behind.starts_with(['(', '[']).then_some((order, scanner.at))
 }
 
-/// Reads a derivative whose name comes after the quotient, `d/dt(x)`, `\frac{d}{dt}\left(\frac{dx}{dt}\right)`,
-/// `\frac{d^2}{dt^2} x`, `(d/dt) x`: spelling of the name, order, end.
+/// Reads a derivative whose name comes after the operator, `d/dt(x)`, `\frac{d}{dt}\left(\frac{dx}{dt}\right)`,
+/// `\frac{d^2}{dt^2} x`, `(d/dt)^2 x`: spelling of the name, order, end.
 pub(crate) fn behind(text: &str, at: usize) -> Option<(String, u8, usize)> {
     // Longer than any name with its subscripts: a bracket that closes later belongs to something else.
     const MAX_LENGTH: usize = 80;
@@ -50,14 +40,7 @@ pub(crate) fn behind(text: &str, at: usize) -> Option<(String, u8, usize)> {
     // name.
     const MAX_ORDER: u8 = 2;
     let mut scanner = Differentials { text, at };
-    let is_bracketed = scanner.take("(");
-    let is_fraction = scanner.fraction();
-    scanner.differential()?;
-    let order = scanner.order();
-    scanner.over_time(is_fraction, order)?;
-    if is_bracketed && !scanner.take(")") {
-        return None;
-    }
+    let order = scanner.operator()?;
     let is_sized = scanner.take("\\left");
     let rest = &text[scanner.at..];
     let (inner, end) = match rest.trim_start().strip_prefix('(') {
@@ -74,10 +57,7 @@ pub(crate) fn behind(text: &str, at: usize) -> Option<(String, u8, usize)> {
         }
         None => {
             let trimmed = rest.trim_start();
-            let is_of_name = |char: char| char.is_alphanumeric() || "_{}\\".contains(char);
-            let length = trimmed
-                .find(|char| !is_of_name(char))
-                .unwrap_or(trimmed.len());
+            let length = length_of_name(trimmed);
             let length = Some(length).filter(|length| *length < MAX_LENGTH)?;
             (&trimmed[..length], text.len() - trimmed.len() + length)
         }
@@ -88,6 +68,25 @@ pub(crate) fn behind(text: &str, at: usize) -> Option<(String, u8, usize)> {
     };
     let order = order + inner_order;
     (order <= MAX_ORDER).then_some((spelling, order, end))
+}
+
+/// Reads a derivative by the letter of an operator, `Dx`, `D² x_1`: spelling of the name, order, end.
+pub(crate) fn by_operator(text: &str, at: usize) -> Option<(String, u8, usize)> {
+    let mut scanner = Differentials { text, at };
+    if !scanner.take("D") {
+        return None;
+    }
+    let order = scanner.raised_order();
+    let name = scanner.text[scanner.at..].trim_start();
+    let length = length_of_name(name);
+    let spelling = Letters::spelling(&name[..length])?;
+    Some((spelling, order, text.len() - name.len() + length))
+}
+
+/// The length of the name with which a text begins.
+fn length_of_name(text: &str) -> usize {
+    let is_of_name = |char: char| char.is_alphanumeric() || "_{}\\".contains(char);
+    text.find(|char| !is_of_name(char)).unwrap_or(text.len())
 }
 
 /// The spelling of a name that may have dots or primes of its own, `x'`, `\dot x`, and how many.
@@ -270,7 +269,31 @@ impl Differentials<'_> {
         commands.iter().any(|command| self.take(command)) && self.take("{")
     }
 
-    /// The divisor of a derivative of this order, `dt^2`.
+    /// The bracket or brace that opens a group here; what closes it.
+    fn opening(&mut self) -> Option<&'static str> {
+        let groups = [("(", ")"), ("{", "}")];
+        let found = groups.iter().find(|(open, _)| self.take(open));
+        found.map(|(_, close)| *close)
+    }
+
+    /// An operator without its name, `d/dt`, `(d^2)/(dt^2)`, `(d/dt)^2`: its order.
+    fn operator(&mut self) -> Option<u8> {
+        let group = self.opening();
+        let is_fraction = self.fraction();
+        self.differential()?;
+        let order = self.order();
+        let is_numerator = group.is_some_and(|close| self.take(close));
+        self.over_time(is_fraction, order)?;
+        match group {
+            Some(close) if !is_numerator => {
+                let is_closed = self.take(close);
+                is_closed.then(|| order * self.raised_order())
+            }
+            _ => Some(order),
+        }
+    }
+
+    /// The divisor of a derivative of this order, `dt^2`, `(d t^2)`, `(dt)^2`.
     fn over_time(&mut self, is_fraction: bool, order: u8) -> Option<()> {
         let is_over = if is_fraction {
             self.take("}") && self.take("{")
@@ -280,9 +303,19 @@ impl Differentials<'_> {
         if !is_over {
             return None;
         }
+        let group = if is_fraction { None } else { self.opening() };
         self.differential()?;
-        let is_time = self.take("t") && self.order() == order;
-        (is_time && (!is_fraction || self.take("}"))).then_some(())
+        if !self.take("t") {
+            return None;
+        }
+        let mut own = self.order();
+        if let Some(close) = group {
+            if !self.take(close) {
+                return None;
+            }
+            own *= if own < order { self.raised_order() } else { 1 };
+        }
+        (own == order && (!is_fraction || self.take("}"))).then_some(())
     }
 
     fn differential(&mut self) -> Option<()> {
@@ -292,7 +325,12 @@ impl Differentials<'_> {
     }
 
     fn order(&mut self) -> u8 {
-        let is_second = ["²", "^{2}", "^2", "2"].iter().any(|sign| self.take(sign));
+        if self.take("2") { 2 } else { self.raised_order() }
+    }
+
+    /// Two where a square stands here.
+    fn raised_order(&mut self) -> u8 {
+        let is_second = ["²", "^{2}", "^2"].iter().any(|sign| self.take(sign));
         if is_second { 2 } else { 1 }
     }
 

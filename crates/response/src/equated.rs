@@ -3,11 +3,19 @@
 use super::Passage;
 use super::letters::is_dotted;
 use super::list::cut;
+use super::naming::is_symbol;
 use vibank_source::{Span, lower};
 
-/// A text before and after its first equals sign.
+/// A text before and after its first equals sign, or the colon after its name, `x(t): 2 cos(3 t)`.
 pub(crate) fn equated(passage: Passage<'_>) -> Option<(Passage<'_>, Passage<'_>)> {
     let text = passage.text();
+    if let Some((name, behind)) = text.split_once(':')
+        && name.starts_with(|first: char| first.is_alphabetic() || first == '\\')
+        && is_symbol(name)
+        && !behind.starts_with('=')
+    {
+        return Some((Passage::of(name), Passage::of(behind)));
+    }
     let (at, sign) = text.char_indices().find(|(_, char)| "=≈".contains(*char))?;
     let behind = text[at + sign.len_utf8()..].trim_start_matches('=');
     Some((Passage::of(&text[..at]), Passage::of(behind)))

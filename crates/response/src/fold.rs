@@ -7,6 +7,7 @@ mod marks;
 mod minutes;
 mod plain;
 mod programs;
+mod raised;
 mod spaces;
 mod steps;
 mod words;
@@ -371,6 +372,9 @@ impl Folder<'_> {
         }
         if self.apart_dots(char) {
             return;
+        }
+        if let Some((length, plain)) = self.raised() {
+            return self.write(&plain, length);
         }
         if char.is_ascii_alphabetic() && (self.equation() || self.matrix() || self.subscript()) {
             return;

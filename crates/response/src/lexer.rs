@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 use std::sync::Arc;
 
-use super::differential::{behind, called, leibniz, method, operator};
+use super::differential::{behind, by_operator, called, leibniz, method, operator};
 use super::digits::fraction;
 use super::letters::{Letters, combining, dotted, greek, greek_word, sign_in_subscript};
 use super::signs::MIDDLE_POINT;
@@ -538,6 +538,9 @@ impl Lexer<'_> {
         }
         let pieces = match self.lexicon.split(letters, end, primes, has_bracket) {
             Ok(pieces) => pieces,
+            Err(_) if let Some((pieces, order)) = self.rate_by_index(letters, start, end) => {
+                return self.pieces(pieces, primes.saturating_add(order));
+            }
             Err(_) if self.manner.values.is_some() && primes == 0 => {
                 return self.unit_or_unknown(letters, start, end);
             }
@@ -551,6 +554,38 @@ impl Lexer<'_> {
             }
         };
         self.pieces(pieces, primes)
+    }
+
+    /// The words of a run that ends in a rate by its index, `x_t`, `x_{tt}`, or by a letter for the prime, `c*xp`, and
+    /// the order of that rate.
+    fn rate_by_index(
+        &self,
+        letters: &Letters,
+        start: usize,
+        end: usize,
+    ) -> Option<(Vec<WordPiece>, u8)> {
+        const INDICES: [(&str, &str, u8); 5] = [
+            ("_tt", "tt", 2),
+            ("_{tt}", "tt", 2),
+            ("_t", "t", 1),
+            ("_{t}", "t", 1),
+            ("p", "p", 1),
+        ];
+        let typed = &self.text[start..end];
+        let (_, index, order) = INDICES.iter().find(|(own, ..)| typed.ends_with(own))?;
+        let is_prime = *index == "p";
+        if is_prime && typed.contains('_') {
+            return None;
+        }
+        let mut stem = letters.clone();
+        stem.text.truncate(letters.text.len().checked_sub(index.len())?);
+        stem.cuts.retain(|(at, _)| *at < stem.text.len());
+        let pieces = self.lexicon.split(&stem, end, *order, false).ok()?;
+        let is_moving = matches!(&pieces.last()?.sense, WordSense::Leaf(leaf) if matches!(
+            leaf.kind(),
+            vibank_formula::expr::Kind::Name(name) if self.lexicon.is_moving(name)
+        ));
+        is_moving.then_some((pieces, *order))
     }
 
     /// Whether a run of letters that are not names is a unit: only after a number, and of one letter only the second.
@@ -630,11 +665,16 @@ impl Lexer<'_> {
     /// `d/dt (m x')`; whether the operator stands here.
     fn operator(&mut self) -> bool {
         let moving: BTreeSet<Name> = gather(self.lexicon.moving_names().cloned());
-        let end = operator(self.text, self.at).filter(|_| !moving.is_empty());
-        if let Some(end) = end {
-            self.take(end - self.at, Item::Rate(Arc::new(moving)));
+        let found = operator(self.text, self.at).filter(|_| !moving.is_empty());
+        let Some((order, end)) = found else {
+            return false;
+        };
+        let moving = Arc::new(moving);
+        for _ in 1..order {
+            self.take(0, Item::Rate(Arc::clone(&moving)));
         }
-        end.is_some()
+        self.take(end - self.at, Item::Rate(moving));
+        true
     }
 
     fn differential_quotient(&self) -> Option<(Expr, usize)> {
@@ -644,7 +684,8 @@ impl Lexer<'_> {
                 let is_letter = self.rest().starts_with("D(") && self.lexicon.knows("D");
                 called(self.text, self.at).filter(|_| !is_letter)
             })
-            .or_else(|| method(self.text, self.at));
+            .or_else(|| method(self.text, self.at))
+            .or_else(|| by_operator(self.text, self.at).filter(|_| !self.lexicon.knows("D")));
         let (spelling, order, end) = found?;
         Some((self.lexicon.dotted(&spelling, order)?, end))
     }

@@ -209,6 +209,10 @@ impl Lexicon {
         if let Some(name) = self.moving(spelling) {
             return Some(Expr::name(name.clone()).prime(order));
         }
+        // `dv/dt`
+        if let Some((name, own)) = self.words().rate(spelling) {
+            return Some(Expr::name(name.clone()).prime(own + order));
+        }
         self.dotted_word(spelling, order)
     }
 

@@ -39,6 +39,7 @@ mod before_unit;
 mod both_signs;
 mod calls;
 mod components;
+mod condition;
 mod conjugates;
 mod determinant;
 mod differential;

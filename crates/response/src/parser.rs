@@ -1,7 +1,7 @@
 //! From tokens to formulas.
 
 use super::token::{Item, Token};
-use super::ways::Ways;
+use super::ways::{Doubtful, Ways};
 use super::{Chain, MAX_DEPTH, Trouble, TypedError, ValueTrouble};
 use vibank_dynamics::numerics::Rational;
 use vibank_formula::expr::{
@@ -287,7 +287,7 @@ impl<'a> Parser<'a> {
                     matches!(self.item(), Some(Item::Unit(unit)) if !unit.dimension().is_pure());
                 let is_real = !self.is_after_imaginary_unit();
                 let may_be_own = self.is_tight() || is_measure && is_real;
-                if is_bare && is_constant(&divisor) && !(may_be_own && self.ways.choose(false)) {
+                if is_bare && is_constant(&divisor) && !(may_be_own && self.ways.choose(Doubtful::Unit, false)) {
                     break;
                 }
                 let unit = self.power()?;
@@ -299,7 +299,7 @@ impl<'a> Parser<'a> {
             // `1/2 m` can be read in one way only; of `k mm` all belongs to the divisor or nothing.
             let is_end = is_fraction && !is_tight;
             let goes_on = has_spaced && is_tight;
-            if is_end || !goes_on && !self.ways.choose(is_tight && !is_fraction) {
+            if is_end || !goes_on && !self.ways.choose(Doubtful::Divisor, is_tight && !is_fraction) {
                 break;
             }
             has_spaced |= !is_tight;
@@ -396,7 +396,7 @@ impl<'a> Parser<'a> {
             && uses_time(&exponent)
             && self.is_sign('/')
             && self.is_tight()
-            && self.ways.choose(false)
+            && self.ways.choose(Doubtful::Exponent, false)
         {
             self.at += 1;
             let divisor = self.divisor(&exponent)?;
@@ -411,7 +411,7 @@ impl<'a> Parser<'a> {
         if !is_closed && self.begins_fraction(&exponent) {
             // `a^1/2` is the root: nobody writes a power of 1. `a^3/2` is a³/2.
             let is_root = exponent.as_number() == Some(Rational::ONE);
-            if self.ways.choose(is_root) {
+            if self.ways.choose(Doubtful::Exponent, is_root) {
                 self.at += 1;
                 let below = self.primary()?;
                 exponent = Self::binary(Operator::Divide, exponent, below)?;
@@ -429,10 +429,10 @@ impl<'a> Parser<'a> {
         // `e^-5t(2 + t)`, `e^-5tcos 3t`: an exponent that has the time in it is whole, since nobody means one that
         // oscillates.
         if matches!(self.item(), Some(Item::Sign(_) | Item::Function(_))) {
-            return self.is_tight() && self.ways.choose(!uses_time(exponent));
+            return self.is_tight() && self.ways.choose(Doubtful::Exponent, !uses_time(exponent));
         }
         // `e^-λ t`.
-        self.is_tight() || matches!(self.item(), Some(Item::Leaf(_))) && self.ways.choose(false)
+        self.is_tight() || matches!(self.item(), Some(Item::Leaf(_))) && self.ways.choose(Doubtful::Exponent, false)
     }
 
     /// Whether a number goes on as a fraction that is not whole: after it a slash and a number, without a space.

@@ -348,6 +348,19 @@ impl<'t> Passage<'t> {
         words.filter(|word| !word.is_empty()).collect()
     }
 
+    /// The letters of a formula, each with its index: runs of what names are written with.
+    pub fn letters(self) -> Vec<Self> {
+        let is_of_name = |char: char| char.is_alphanumeric() || "_\\".contains(char);
+        let runs = self.0.split(|char| !is_of_name(char));
+        let runs = runs.map(|run| run.trim_start_matches(|first: char| first.is_ascii_digit()));
+        runs.filter(|run| !run.is_empty()).map(Self::of).collect()
+    }
+
+    /// What comes before the condition that is said of a formula, `…, if ω² > 2λ²`, ` … for ζ < 1`, `… (uniform)`.
+    pub fn before_condition(self) -> Option<Self> {
+        super::condition::before(self.0).map(Self::of)
+    }
+
     /// Whether it is the name of a logarithm, whose argument many write without brackets.
     pub fn is_logarithm(self) -> bool {
         matches!(self.0, "log" | "ln" | "lg")

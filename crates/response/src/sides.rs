@@ -200,7 +200,11 @@ fn symbol(text: &str, lexicon: &Lexicon) -> Option<Symbol> {
         Err(TypedError {
             trouble: Trouble::NotAllowed(_),
             span,
-        }) => (span.range() == (0..text.len())).then_some(Symbol::Asked),
+        }) => {
+            // `xi` is a letter where x may not be used.
+            let is_one = span.range() == (0..text.len()) || greek_word(text).is_some();
+            is_one.then_some(Symbol::Asked)
+        }
         Err(_) => Some(Symbol::Asked),
     }
 }

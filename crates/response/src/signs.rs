@@ -88,6 +88,8 @@ pub(crate) fn of_char(char: char) -> Option<Plain> {
         'ℑ' => "Im",
         // With the signs that calculators set before an exponent.
         'ℯ' | 'ⅇ' | 'ᴇ' | '⏨' => "e",
+        'ⅆ' => "d",
+        'ⅅ' => "D",
         'ⅈ' => "i",
         'ⅉ' => "j",
         // Spaces within a line, invisible operators; others are ordinary ones by now.

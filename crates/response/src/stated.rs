@@ -130,6 +130,12 @@ impl<'t> Stated<'t> {
         label(self.text, self.main).map(|label| Passage::of(&self.text[label.range()]))
     }
 
+    /// The sides of the statement that counts, its symbol among them.
+    pub fn pieces(&self) -> Vec<Passage<'t>> {
+        let main = &self.text[self.main.range()];
+        sides::statement(main).into_iter().map(Passage::of).collect()
+    }
+
     /// Whether there is more than one statement.
     pub fn has_others(&self) -> bool {
         !self.others.is_empty()
@@ -658,8 +664,10 @@ fn statements(text: &str) -> Vec<Span> {
         text[..at].ends_with(|last: char| last.is_ascii_digit())
             && text[at + 1..].starts_with(|next: char| next.is_ascii_digit())
     };
+    let first = text.split(['=', '≈']).next().unwrap_or(text).trim();
     let is_end = |at: usize, char: char| match char {
         ';' | '\n' => true,
+        '/' => is_before_sibling(text, at, first),
         ',' => !is_decimal(at),
         ' ' => word_at(&text[at + 1..]).is_some(),
         char => RELATIONS.contains(&char),
@@ -696,6 +704,22 @@ fn statements(text: &str) -> Vec<Span> {
         }
     }
     if found.is_empty() { whole } else { found }
+}
+
+/// Whether the slash at a place parts two statements, `ω1 = 2 / ω2 = 3`: after it a letter of the first one's kind stands
+/// before an equals sign.
+fn is_before_sibling(text: &str, at: usize, first: &str) -> bool {
+    let Some((sibling, _)) = text[at + 1..].split_once(['=', '≈']) else {
+        return false;
+    };
+    let sibling = sibling.trim();
+    let stem = |word: &str| word.trim_end_matches(|last: char| !last.is_alphabetic()).len();
+    let is_apart = text[..at].ends_with(' ') && text[at + 1..].starts_with(' ');
+    is_apart
+        && sibling != first
+        && is_word(first)
+        && is_word(sibling)
+        && sibling[..stem(sibling)] == first[..stem(first)]
 }
 
 /// The length of the word with which a text begins and that joins statements.

@@ -5,6 +5,7 @@ use std::collections::BTreeMap;
 use super::letters::{Letters, combining, dotted};
 use super::lexicon::LexiconEntry;
 use super::near::typable;
+use super::words::VELOCITIES;
 use vibank_formula::expr::{Constant, Expr, Function, Kind, Name};
 use vibank_notation::{Math, symbol};
 
@@ -83,6 +84,10 @@ pub(crate) const ALIASES: &[(&str, Function)] = &[
     ("arctan", Function::Atan),
     ("arctg", Function::Atan),
     ("arctan2", Function::Atan2),
+    ("Arctan2", Function::Atan2),
+    ("ArcTan2", Function::Atan2),
+    ("ATAN2", Function::Atan2),
+    ("arctg2", Function::Atan2),
     ("Arctan", Function::Atan),
     ("ArcTan", Function::Atan),
     ("ARCTAN", Function::Atan),
@@ -195,7 +200,53 @@ impl Words {
         words.add_velocities();
         words.add_rates();
         words.add_bare_frequency(entries);
+        words.add_other_case(entries);
         words
+    }
+
+    /// `M` for m and `k1` for K₁, as telephones and shouting have them, where no name of the item has that letter in that
+    /// case. The time, the constants, and the Greek letters whose capitals mean something else stay as they are.
+    fn add_other_case(&mut self, entries: &[LexiconEntry]) {
+        const OWN_SENSE: [char; 8] = ['t', 'T', 'e', 'E', 'i', 'I', 'j', 'J'];
+        let names: Vec<(String, &Name)> = entries
+            .iter()
+            .filter_map(|entry| {
+                let (LexiconEntry::Allowed(name, ..) | LexiconEntry::Forbidden(name)) = entry;
+                Some((Letters::spelling(name.as_str())?, name))
+            })
+            .collect();
+        let has_letter = |letter: char| names.iter().any(|(own, _)| own.starts_with(letter));
+        for entry in entries {
+            let LexiconEntry::Allowed(name, _, is_moving) = entry else {
+                continue;
+            };
+            let spelling = Letters::spelling(name.as_str()).unwrap_or_default();
+            let mut chars = spelling.chars();
+            let Some(first) = chars.next() else { continue };
+            let index = chars.as_str();
+            let other = if first.is_ascii_uppercase() {
+                first.to_ascii_lowercase()
+            } else {
+                first.to_ascii_uppercase()
+            };
+            let is_letter = index.bytes().all(|byte| byte.is_ascii_digit());
+            if !is_letter || OWN_SENSE.contains(&first) || has_letter(other) {
+                continue;
+            }
+            let word = format!("{other}{index}");
+            if self.knows(&word) {
+                continue;
+            }
+            self.add(&word, WordSense::Leaf(Expr::name(name.clone())), 0);
+            if *is_moving {
+                for order in [1, 2] {
+                    let rate = WordSense::Leaf(Expr::name(name.clone()).prime(order));
+                    for rate_word in rates(&word, order) {
+                        self.add(&rate_word, rate.clone(), 0);
+                    }
+                }
+            }
+        }
     }
 
     /// `ω` for the natural frequency `ω_n` where the item has no other frequency of that letter and no angle whose rate it
@@ -325,6 +376,9 @@ impl Words {
         let printed = Letters::spelling(&math.plain());
         let usual = Letters::spelling(&symbol(name.as_str()).plain());
         let lambda = (name.as_str() == "lam").then(|| "lambda".to_owned());
+        // As often misspelled as not.
+        let is_lambda = own.starts_with("lam");
+        let misspelled = is_lambda.then(|| own.replacen("lambda", "lam", 1).replacen("lam", "lamda", 1));
         // The letter that looks like it, `w0` for ω₀.
         let latin = [Some(&own), printed.as_ref()].map(|spelling| {
             let rest = spelling?.strip_prefix("omega")?;
@@ -353,6 +407,7 @@ impl Words {
             printed.clone(),
             usual,
             lambda,
+            misspelled,
             latin,
             of_printed,
             ell,
@@ -396,6 +451,21 @@ impl Words {
                 Kind::Name(name) => Some(name),
                 _ => None,
             },
+            _ => None,
+        }
+    }
+
+    /// The name and the order of the rate that a word alone stands for.
+    pub(crate) fn rate(&self, spelling: &str) -> Option<(&Name, u8)> {
+        let own = |word: &&Word| word.spelling == spelling && word.primes == 0;
+        let WordSense::Leaf(leaf) = &self.words.iter().find(own)?.sense else {
+            return None;
+        };
+        let Kind::Prime(inner, order) = leaf.kind() else {
+            return None;
+        };
+        match inner.kind() {
+            Kind::Name(name) => Some((name, *order)),
             _ => None,
         }
     }
@@ -558,9 +628,11 @@ impl Words {
     /// `v` and `a` for the velocity and the acceleration of a coordinate x, `v1` and `a1` for those of x₁, where no name
     /// of the item has that letter and no other coordinate that index.
     fn add_velocities(&mut self) {
-        const POSITIONS: [char; 4] = ['x', 'y', 'z', 's'];
+        let (coordinates, rates) = VELOCITIES;
         let of = |(spelling, name): &(String, Name)| {
-            let index = spelling.strip_prefix(POSITIONS)?;
+            let index = coordinates
+                .iter()
+                .find_map(|letter| spelling.strip_prefix(letter))?;
             let is_index = index.bytes().all(|byte| byte.is_ascii_digit());
             is_index.then(|| (index.to_owned(), name.clone()))
         };
@@ -571,10 +643,10 @@ impl Words {
             if positions.iter().any(is_other) {
                 continue;
             }
-            for (letter, order) in [("v", 1), ("a", 2)] {
+            for (letter, order) in rates {
                 let word = format!("{letter}{index}");
                 if !self.knows(letter) && !self.knows(&word) {
-                    let rate = Expr::name(name.clone()).prime(order);
+                    let rate = Expr::name(name.clone()).prime(*order);
                     self.add(&word, WordSense::Leaf(rate), 0);
                 }
             }
@@ -613,6 +685,7 @@ impl Words {
             format!("{spelling}pp"),
             format!("{stem}dd{digits}"),
             format!("{stem}pp{digits}"),
+            format!("d2{spelling}dt2"),
         ] {
             if !self.is_taken(&word) {
                 self.add(&word, second.clone(), 0);
@@ -620,7 +693,8 @@ impl Words {
         }
         for order in [1, 2] {
             let sense = WordSense::Leaf(Expr::name(name.clone()).prime(order));
-            for word in rates(spelling, order) {
+            let written = (order == 1).then(|| format!("d{spelling}dt"));
+            for word in rates(spelling, order).into_iter().chain(written) {
                 self.add(&word, sense.clone(), 0);
             }
         }

@@ -780,9 +780,15 @@ pub(crate) const STATEMENTS: &[&str] = &[
 /// Coordinates, and the letters of their rates with the order of each.
 type CustomaryRates = (&'static [&'static str], &'static [(&'static str, u8)]);
 
-/// Letters of rates by the custom of the field.
+/// Letters and words for the rates of positions: they are read wherever the item has no such letter.
+pub(crate) const VELOCITIES: CustomaryRates = (
+    &["x", "y", "z", "s", "u"],
+    &[("v", 1), ("a", 2), ("vel", 1), ("accel", 2)],
+);
+
+/// Letters for the rates of other coordinates by the custom of the field. They mean other things, too, `ω` a natural
+/// frequency: they are rates only where nothing else can be read.
 pub(crate) const RATES: &[CustomaryRates] = &[
-    (&["x", "y", "z", "s", "u"], &[("v", 1), ("a", 2)]),
     (&["theta", "phi"], &[("omega", 1), ("alpha", 2)]),
     (&["q"], &[("i", 1)]),
 ];
@@ -827,7 +833,9 @@ pub(crate) const THINGS: &[&str] = &[
 ];
 
 /// Words before a condition.
-pub(crate) const CONDITIONS: &[&str] = &["for", "if", "when", "whenever", "only if", "wenn"];
+pub(crate) const CONDITIONS: &[&str] = &[
+    "for", "if", "when", "whenever", "only if", "provided", "provided that", "as long as", "wenn", "falls",
+];
 
 /// Words around the two ends of a range.
 pub(crate) const RANGES: &[(&str, &str)] = &[

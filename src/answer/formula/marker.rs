@@ -91,6 +91,19 @@ impl Prepared {
         right
     }
 
+    /// The marking of a statement that is right without being solved for what is asked.
+    fn right_unsolved(&self, response: Passage<'_>) -> Option<Marking> {
+        let typed = self.unsolved(response)?;
+        let mut all = [typed.value].into_iter().chain(typed.others);
+        all.find_map(|expr| {
+            let read = Read {
+                misfit: self.misfit(&expr),
+                expr,
+            };
+            Some(self.judged(&read)).filter(|marking| marking.verdict == Verdict::Right)
+        })
+    }
+
     /// The readings of a formula, the conventional one first: those of the right dimension, if one has it.
     fn readings(&self, response: Passage<'_>) -> Result<Vec<Read>, TypedError> {
         let typed = self.read(response)?;
@@ -240,6 +253,18 @@ impl Marker for Prepared {
                 self.right_before_unit(response).unwrap_or(marking)
             }
             Ok(marking) => marking,
+            Err(error)
+                if error.trouble == Trouble::Unsolved
+                    && let Some(marking) = self.right_unsolved(response) =>
+            {
+                marking
+            }
+            Err(_)
+                if let Some(alone) = response.before_condition()
+                    && let Ok(marking) = self.mark_alone(alone) =>
+            {
+                marking
+            }
             // No unit makes it shorter by much, and each that is tried would be read as far.
             Err(error) if matches!(error.trouble, Trouble::TooDeep | Trouble::TooLong) => {
                 Marking::unreadable(Unreadable::typed(&error, response))

@@ -18,6 +18,7 @@
 mod marker;
 mod read;
 mod slip;
+mod solved;
 
 use std::collections::BTreeMap;
 use std::sync::{Arc, OnceLock};

@@ -1,9 +1,10 @@
 //! Reads the formula of a response, and the unit that may come after it all the same.
 
 use super::marker::Prepared;
+use super::solved::solved;
 use crate::answer::equality::Comparison;
 use crate::answer::{Marking, Misfit, Note, Unreadable, Verdict, Why};
-use crate::expr::{Expr, Field};
+use crate::expr::{Expr, Field, Name};
 use crate::response::{BeforeUnit, Manner, Passage, Stated, Trouble, Typed, TypedError};
 use crate::unit::Unit;
 
@@ -52,6 +53,33 @@ impl Prepared {
             others: Vec::new(),
         };
         forms.into_iter().all(is_same).then_some(typed)
+    }
+
+    /// What a statement comes to that is not solved for what is asked, `ω² = k/m`, or that begins with steps in letters of
+    /// one's own, `F_R/k = μ m g/k`: only worth anything where that is right.
+    pub(crate) fn unsolved(&self, response: Passage<'_>) -> Option<Typed<Expr>> {
+        let stated = self.stated(response).ok()?;
+        let pieces = stated.pieces();
+        let [first, steps @ .., last] = &pieces[..] else {
+            return None;
+        };
+        let (lexicon, naming) = (&self.setup.lexicon, &self.setup.naming);
+        let read = |side: &Passage<'_>| side.formula(lexicon, self.manner());
+        let last = read(last).ok()?;
+        if let Some(left) = naming.letters(*first).filter(|left| naming.is_of_key(left)) {
+            let is_asked = |name: &Name| naming.asks(name);
+            let mut readings = [last.value]
+                .into_iter()
+                .chain(last.others)
+                .filter_map(|right| solved(&left, &right, &is_asked));
+            return Some(Typed {
+                value: readings.next()?,
+                others: readings.collect(),
+            });
+        }
+        let is_own_step = |side: &Passage<'_>| read(side).is_err() && !naming.has_asked(*side);
+        let are_steps = is_own_step(first) && !steps.iter().any(|side| naming.has_asked(*side));
+        are_steps.then_some(last)
     }
 
     /// What is read in the manner of the key.

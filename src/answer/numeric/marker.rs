@@ -15,7 +15,8 @@ use crate::answer::{
 use crate::expr::{Constant, Expr, Form, Function, Kind, Operator, Shape};
 use crate::math::Math;
 use crate::numerics::Dd;
-use crate::response::{Lexicon, Passage, has_pi};
+use crate::answer::naming::Steps;
+use crate::response::{Passage, has_pi};
 use crate::unit::{Decimal, DecimalMark, Dimension, DimensionMismatch, Quantity, Unit};
 
 /// What a named mistake gives, in SI units.
@@ -42,8 +43,8 @@ pub(crate) struct Numbers {
     pub(crate) digits_penalty: Credit,
     pub(crate) digits: u32,
     pub(crate) mark: DecimalMark,
-    /// The letters of the question.
-    pub(crate) letters: Arc<Lexicon>,
+    /// What steps may be written in.
+    pub(crate) steps: Arc<Steps>,
     pub(crate) doubt: Doubt,
     pub(crate) targets: Vec<Target>,
     pub(crate) mistakes: Vec<Mistake>,
@@ -69,7 +70,7 @@ impl Numbers {
     fn setting(&self) -> Setting<'_> {
         Setting {
             mark: self.mark,
-            letters: Some((&self.unit, &self.letters)),
+            steps: Some((&self.unit, &self.steps)),
         }
     }
 

@@ -30,13 +30,12 @@ mod words;
 
 use std::sync::Arc;
 
-use super::naming::letters_of_steps;
+use super::naming::Steps;
 use super::{
     Answer, AnswerError, Asked, Blank, Context, Credit, Declare, Marker, Tolerance, formula,
 };
 use crate::expr::{Field, Form, Shape, Type};
 use crate::quantity::{Absent, NodeId};
-use crate::response::Lexicon;
 use crate::source::{Table, Text};
 use crate::unit::{Quantity, Unit};
 
@@ -72,8 +71,8 @@ struct Numeric {
     figures: u32,
     /// Significant figures in which the key is printed.
     digits: u32,
-    /// The letters of the question.
-    letters: Arc<Lexicon>,
+    /// What steps may be written in.
+    steps: Arc<Steps>,
 }
 
 /// Reads the keys of a part that belong to this kind; what is wrong is noted.
@@ -148,7 +147,7 @@ pub(crate) fn read(part: &Table<'_>, declare: &mut dyn Declare) -> Option<Box<dy
         figures: ask_digits.map_or(u32::from(declare.figures()), |digits| digits as u32),
         // What is asked for in more figures is printed in them.
         digits: u32::from(declare.digits_of(key)).max(ask_digits.map_or(0, |digits| digits as u32)),
-        letters: Arc::new(letters_of_steps(declare)),
+        steps: Arc::new(Steps::of(declare, key)),
     }))
 }
 
@@ -166,7 +165,7 @@ pub(crate) fn of_formula(
         tolerance: Tolerance::default(),
         figures: u32::from(declare.figures()),
         digits: u32::from(declare.digits_of(key)),
-        letters: Arc::new(letters_of_steps(declare)),
+        steps: Arc::new(Steps::of(declare, key)),
         formula: None,
         modulo: None,
         within: None,
@@ -320,7 +319,7 @@ impl Answer for Numeric {
             digits_penalty: self.digits_penalty,
             digits: self.digits,
             mark: context.mark,
-            letters: Arc::clone(&self.letters),
+            steps: Arc::clone(&self.steps),
             doubt: context.doubt,
             targets,
             mistakes,

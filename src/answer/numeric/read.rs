@@ -1,10 +1,11 @@
 //! Numbers with units: what a response says that its name is, and how that is shown.
 
+use crate::answer::naming::Steps;
 use crate::answer::{Example, Unreadable, Why};
 use crate::expr::{Constant, Expr, Kind, Operator, PlainNotation};
 use crate::math::Math;
 use crate::response::{
-    Amount, Lexicon, Manner, Number as Typed, Part, Passage, Style, Trouble, TypedError,
+    Amount, Manner, Number as Typed, Part, Passage, Style, Trouble, TypedError,
     ValueTrouble, Values,
 };
 use crate::unit::{Decimal, DecimalMark, Dimension, Quantity, Unit};
@@ -136,8 +137,8 @@ fn has_pi_as_factor(formula: &Expr) -> bool {
 pub(crate) struct Setting<'a> {
     /// The decimal sign of the sheet.
     pub(crate) mark: DecimalMark,
-    /// The unit that is asked for, and the letters of the question, which its steps may be written in.
-    pub(crate) letters: Option<(&'a Unit, &'a Lexicon)>,
+    /// The unit that is asked for, and what steps may be written in.
+    pub(crate) steps: Option<(&'a Unit, &'a Steps)>,
 }
 
 impl Setting<'_> {
@@ -145,15 +146,20 @@ impl Setting<'_> {
     pub(crate) fn of(mark: DecimalMark) -> Self {
         Self {
             mark,
-            letters: None,
+            steps: None,
         }
+    }
+
+    /// Whether a side is a step in letters without the one that is asked.
+    fn is_step(&self, side: Passage<'_>) -> bool {
+        self.steps.is_some_and(|(_, steps)| steps.are_in(side))
     }
 
     /// Whether the units of a step are letters of the question: `2√(L/C)` is no litre where a resistance is asked for.
     fn is_in_letters(&self, step: Passage<'_>, amount: &TypedNumber) -> bool {
         let unit = &amount.quantity.unit;
-        self.letters.is_some_and(|(asked, lexicon)| {
-            let is_formula = || step.formula(lexicon, Manner::default());
+        self.steps.is_some_and(|(asked, steps)| {
+            let is_formula = || step.formula(&steps.letters, Manner::default());
             !unit.is_one()
                 && unit.dimension() != asked.dimension()
                 && is_formula().is_ok_and(|formula| !formula.value.names().free.is_empty())
@@ -282,6 +288,7 @@ pub(crate) fn statement(
                 return Err(Why::UnequalSides(one.short(), other.short()).into());
             }
             None if is_between && !values.goes_on_in_words(side) => {}
+            None if at < value && setting.is_step(values.passage(side)) => {}
             None => {
                 return Err(Unreadable::at(
                     values.passage(side).short(),

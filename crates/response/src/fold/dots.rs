@@ -18,6 +18,13 @@ impl Folder<'_> {
             self.write("u\u{308}", char.len_utf8());
             return true;
         }
+        // `(x_1 ) ̈`, as word processors write it on one line.
+        if char == '('
+            && let Some((name, dots, length)) = self.bracketed_name()
+        {
+            self.write(&format!(" {name}{dots} "), length);
+            return true;
+        }
         // A dot belongs to the letter before it, whatever stands between.
         let behind = self.rest().strip_prefix(' ');
         let mut signs = behind.unwrap_or_default().chars();
@@ -29,6 +36,26 @@ impl Folder<'_> {
             self.write("", char.len_utf8());
         }
         belongs_before
+    }
+
+    /// The name in the brackets that open here and have dots after them, the dots, and the length of all.
+    fn bracketed_name(&self) -> Option<(String, char, usize)> {
+        // A letter with its index.
+        const MAX_LENGTH: usize = 16;
+        let rest = self.rest();
+        let close = rest.find(')').filter(|close| *close < MAX_LENGTH)?;
+        let behind = &rest[close + 1..];
+        let sign = behind.trim_start_matches(' ');
+        let dots = match sign.chars().next()? {
+            '\u{307}' | '˙' => '\u{307}',
+            '\u{308}' | '¨' => '\u{308}',
+            _ => return None,
+        };
+        let name: String = rest[1..close].trim().chars().map(unstyled).collect();
+        let is_of_name = |char: char| char.is_alphanumeric() || char == '_';
+        let is_name = name.starts_with(char::is_alphabetic) && name.chars().all(is_of_name);
+        let length = rest.len() - sign.len() + sign.chars().next().map_or(0, char::len_utf8);
+        is_name.then_some((name, dots, length))
     }
 
     /// Whether the letter here ends a run of letters that is too short for a word: `m ü`, `kü`, not `für` or `Menü`.

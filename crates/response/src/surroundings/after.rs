@@ -171,7 +171,9 @@ fn body(text: &str) -> Option<usize> {
     /// A shorter word may be a letter of a formula.
     const MIN_LETTERS: usize = 4;
     let in_brackets = || text.strip_suffix(')')?.rsplit_once(" (");
-    let (before, said) = in_brackets().or_else(|| text.rsplit_once(" for "))?;
+    let (before, said) = in_brackets()
+        .or_else(|| text.rsplit_once(" where "))
+        .or_else(|| text.rsplit_once(" for "))?;
     let is_sign = |char: char| "=+*/^()[]{}\\'".contains(char);
     let is_long = |word: &str| {
         let word = word.trim_end_matches([',', ';', '.']);

@@ -1,0 +1,72 @@
+//! Exponents in raised signs that are more than integers: `e⁻⁰·⁸⁵ᵗ`, `(k/m)¹ᐟ²`.
+
+use super::Folder;
+
+/// Raised signs that integers are not made of, and what they are.
+const RAISED: &[(char, char)] = &[
+    ('⁺', '+'),
+    ('⁽', '('),
+    ('⁾', ')'),
+    ('ᐟ', '/'),
+    ('ᵗ', 't'),
+    ('ⁿ', 'n'),
+    ('ⁱ', 'i'),
+    ('ʲ', 'j'),
+    ('ᵏ', 'k'),
+    ('ᵐ', 'm'),
+    ('ᶜ', 'c'),
+    ('ᵃ', 'a'),
+    ('ᵇ', 'b'),
+    ('ᵖ', 'p'),
+    ('ʳ', 'r'),
+    ('ˢ', 's'),
+    ('ˣ', 'x'),
+    ('ᵝ', 'β'),
+    ('ᵞ', 'γ'),
+    ('ᵟ', 'δ'),
+    ('ᶿ', 'θ'),
+    ('ᵠ', 'φ'),
+];
+
+/// What a raised sign is on the line.
+fn lowered(char: char) -> Option<char> {
+    Some(match char {
+        '⁻' => '-',
+        '⁰' => '0',
+        '¹' => '1',
+        '²' => '2',
+        '³' => '3',
+        '⁴'..='⁹' => char::from(b'4' + (u32::from(char) - u32::from('⁴')) as u8),
+        _ => RAISED.iter().find(|(raised, _)| *raised == char)?.1,
+    })
+}
+
+impl Folder<'_> {
+    /// The length of an exponent in raised signs that is more than an integer, and how it is written on the line.
+    pub(crate) fn raised(&self) -> Option<(usize, String)> {
+        let rest = self.rest();
+        let before = self.typed[..self.at].chars().next_back();
+        let has_base = before.is_some_and(|last| last.is_alphanumeric() || ")]}".contains(last));
+        let first = rest.chars().next().filter(|_| has_base)?;
+        lowered(first)?;
+        let (mut plain, mut length, mut is_more) = (String::new(), 0, false);
+        while let Some(char) = rest[length..].chars().next() {
+            let behind = rest[length + char.len_utf8()..].chars().next();
+            let is_within = || behind.and_then(lowered).is_some_and(|next| next.is_ascii_digit());
+            match lowered(char) {
+                Some(own) => {
+                    is_more |= !(own.is_ascii_digit() || own == '-');
+                    plain.push(own);
+                }
+                // A point between raised digits is their decimal sign.
+                None if matches!(char, '·' | '.' | '⋅') && is_within() => {
+                    is_more = true;
+                    plain.push('.');
+                }
+                None => break,
+            }
+            length += char.len_utf8();
+        }
+        is_more.then(|| (length, format!("^({plain})")))
+    }
+}
