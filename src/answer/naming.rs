@@ -173,11 +173,6 @@ impl Naming {
             .is_some_and(|typed| self.is_asked(&typed))
     }
 
-    /// Whether a name is one of what is asked.
-    pub(crate) fn asks(&self, name: &Name) -> bool {
-        self.asked.contains(name)
-    }
-
     /// Whether a letter of a side is what is asked, `2 ω`, also where its other letters are not known.
     pub(crate) fn has_asked(&self, side: Passage<'_>) -> bool {
         let letters = side.letters().into_iter();
@@ -266,16 +261,14 @@ pub(crate) struct Steps {
 
 impl Steps {
     pub(crate) fn of(declare: &dyn Declare, key: NodeId) -> Self {
+        let (mut letters, mut asked) = (letters_of_steps(declare), Vec::new());
         let known = declare.known();
-        let own = known.iter().filter(|own| is_asked(declare, key, own));
-        let names = own.flat_map(|own| {
+        for own in known.iter().filter(|own| is_asked(declare, key, own)) {
+            letters.allow(&own.name, own.symbol.clone(), false);
             let letter = Name::new(parted(own.name.as_str()).0);
-            [own.name.clone(), letter]
-        });
-        Self {
-            letters: letters_of_steps(declare),
-            asked: names.collect(),
+            asked.extend([own.name.clone(), letter]);
         }
+        Self { letters, asked }
     }
 
     /// Whether a side is a formula of letters, be they one's own, of which none is what is asked: `√(K/J) = 19 rad/s`,

@@ -145,6 +145,7 @@ fn computed(solution: &Solution<'_>, piece: &Piece, side: &[Math]) -> Option<Val
         comma_is_decimal: false,
         has_imaginary_unit: false,
         values: Some(DecimalMark::Point),
+        ..Manner::default()
     };
     let read = folded.formula(&lexicon, manner).ok()?.value;
     let used = read.names();

@@ -407,6 +407,7 @@ fn reasons() -> Vec<Why> {
         Why::UnitOrQuantity,
         Why::AngleAdded,
         Why::UnitOfTerms,
+        Why::UnitOfArgument,
         Why::UnitOfFunction(unit("m")),
         Why::OneFunction("x(t)".to_owned()),
         Why::OtherFunction("x(t)".to_owned()),

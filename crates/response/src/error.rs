@@ -98,6 +98,8 @@ pub enum ValueTrouble {
     Bracketed,
     /// Units that do not fit together.
     Units,
+    /// A unit in the argument of a function that is neither that of an angle nor a rate before the time.
+    UnitOfArgument,
     /// A term with a unit and one without.
     UnitOfOne,
     /// An angle in degrees beside a number.

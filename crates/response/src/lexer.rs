@@ -541,6 +541,7 @@ impl Lexer<'_> {
             Err(_) if let Some((pieces, order)) = self.rate_by_index(letters, start, end) => {
                 return self.pieces(pieces, primes.saturating_add(order));
             }
+            Err(_) if let Some(pieces) = self.in_any_case(letters, start, end, primes) => pieces,
             Err(_) if self.manner.values.is_some() && primes == 0 => {
                 return self.unit_or_unknown(letters, start, end);
             }
@@ -554,6 +555,24 @@ impl Lexer<'_> {
             }
         };
         self.pieces(pieces, primes)
+    }
+
+    /// The words of a run with a letter in the other case, where those are read.
+    fn in_any_case(
+        &self,
+        letters: &Letters,
+        start: usize,
+        end: usize,
+        primes: u8,
+    ) -> Option<Vec<WordPiece>> {
+        if !self.manner.is_in_any_case {
+            return None;
+        }
+        let is_there = |name: &str| {
+            self.text[..start].contains(name) || self.text[end..].contains(name)
+        };
+        self.lexicon
+            .split_in_any_case(letters, end, primes, is_there)
     }
 
     /// The words of a run that ends in a rate by its index, `x_t`, `x_{tt}`, or by a letter for the prime, `c*xp`, and
@@ -678,8 +697,13 @@ impl Lexer<'_> {
     }
 
     fn differential_quotient(&self) -> Option<(Expr, usize)> {
-        let found = leibniz(self.text, self.at)
-            .or_else(|| behind(self.text, self.at))
+        let quotient = leibniz(self.text, self.at).or_else(|| behind(self.text, self.at));
+        if let Some((spelling, order, end)) = &quotient
+            && let Some(rate) = self.lexicon.rate(spelling, *order)
+        {
+            return Some((rate, *end));
+        }
+        let found = quotient
             .or_else(|| {
                 let is_letter = self.rest().starts_with("D(") && self.lexicon.knows("D");
                 called(self.text, self.at).filter(|_| !is_letter)

@@ -5,7 +5,7 @@ use std::sync::{Arc, OnceLock};
 
 use super::letters::Letters;
 use super::near::typable;
-use super::vocabulary::{WordPiece, Words};
+use super::vocabulary::{WordPiece, WordSense, Words};
 use super::{Manner, Trouble};
 use vibank_formula::expr::{Expr, Kind, Name, Notation, Substitution, Symbol};
 use vibank_notation::{Math, symbol};
@@ -18,6 +18,8 @@ pub struct Lexicon {
     moving: Vec<Name>,
     /// Only a response asks for them.
     words: OnceLock<Words>,
+    /// With the names in the other case; only where words cannot be read.
+    in_any_case: OnceLock<Words>,
 }
 
 /// A name of the item.
@@ -53,6 +55,7 @@ impl Lexicon {
             symbols: self.symbols.clone(),
             moving: self.moving.clone(),
             words: OnceLock::new(),
+            in_any_case: OnceLock::new(),
         };
         lexicon.allow(name, math, false);
         lexicon
@@ -66,6 +69,7 @@ impl Lexicon {
             symbols: self.symbols.clone(),
             moving: self.moving.clone(),
             words: OnceLock::new(),
+            in_any_case: OnceLock::new(),
         };
         for name in names {
             let own = self.symbols.get(&name).cloned();
@@ -107,6 +111,7 @@ impl Lexicon {
     fn add(&mut self, entry: LexiconEntry) {
         self.entries.push(entry);
         self.words.take();
+        self.in_any_case.take();
     }
 
     fn words(&self) -> &Words {
@@ -209,11 +214,13 @@ impl Lexicon {
         if let Some(name) = self.moving(spelling) {
             return Some(Expr::name(name.clone()).prime(order));
         }
-        // `dv/dt`
-        if let Some((name, own)) = self.words().rate(spelling) {
-            return Some(Expr::name(name.clone()).prime(own + order));
-        }
         self.dotted_word(spelling, order)
+    }
+
+    /// The derivative of this order of the rate that a letter stands for, `dv/dt`.
+    pub(crate) fn rate(&self, letter: &str, order: u8) -> Option<Expr> {
+        let (name, own) = self.words().rate(letter)?;
+        Some(Expr::name(name.clone()).prime(own + order))
     }
 
     /// The name that is spelled with this many primes.
@@ -230,6 +237,28 @@ impl Lexicon {
         has_bracket: bool,
     ) -> Result<Vec<WordPiece>, usize> {
         self.words().split(letters, end, primes, has_bracket)
+    }
+
+    /// The words of a run that has a letter in the other case, `K1` for k1, which `is_there` in its own case nowhere
+    /// else: who types both means two things.
+    pub(crate) fn split_in_any_case(
+        &self,
+        letters: &Letters,
+        end: usize,
+        primes: u8,
+        is_there: impl Fn(&str) -> bool,
+    ) -> Option<Vec<WordPiece>> {
+        let words = || Words::in_any_case(&self.entries);
+        let words = self.in_any_case.get_or_init(words);
+        let pieces = words.split(letters, end, primes, false).ok()?;
+        let is_other = |piece: &WordPiece| match &piece.sense {
+            WordSense::Leaf(leaf) => match leaf.kind() {
+                Kind::Name(name) => is_there(&self.typable(name)),
+                _ => false,
+            },
+            _ => false,
+        };
+        (!pieces.iter().any(is_other)).then_some(pieces)
     }
 }
 

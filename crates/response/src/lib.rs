@@ -126,6 +126,8 @@ pub struct Manner {
     pub has_imaginary_unit: bool,
     /// For values: units come after numbers, and decimals are exact, with this decimal sign.
     pub values: Option<DecimalMark>,
+    /// Whether letters that are not known may be names in the other case, `M` for m.
+    pub is_in_any_case: bool,
 }
 
 impl Manner {
@@ -134,12 +136,22 @@ impl Manner {
         comma_is_decimal: true,
         has_imaginary_unit: false,
         values: None,
+        is_in_any_case: false,
     };
     /// For formulas of complex numbers.
     pub const COMPLEX: Self = Self {
         has_imaginary_unit: true,
         ..Self::REAL
     };
+
+    /// The same where letters may be names in the other case.
+    #[must_use]
+    pub fn in_any_case(self) -> Self {
+        Self {
+            is_in_any_case: true,
+            ..self
+        }
+    }
 }
 
 /// What was read.

@@ -225,7 +225,8 @@ fn row(text: &str) -> Vec<String> {
             }
             None => pieces.push(piece.to_owned()),
         }
-        joins = piece.ends_with(['+', '-', '*', '/', '^']);
+        // `\ddot x` is one entry.
+        joins = piece.ends_with(['+', '-', '*', '/', '^']) || piece.starts_with('\\');
     }
     pieces
 }
@@ -264,6 +265,10 @@ mod tests {
                 "[[m1,0],[0,m2]]*[x1'',x2''] - k*[[1,-1],[-1,1]]*[x1,x2] = 0",
                 "((m1)*(x1'') + (0)*(x2'')) + -k*((1)*(x1) + (-1)*(x2)) = 0; \
                  ((0)*(x1'') + (m2)*(x2'')) + -k*((-1)*(x1) + (1)*(x2)) = 0",
+            ),
+            (
+                r"[m 0; 0 m][\ddot x; \ddot y] = 0",
+                r"((m)*(\ddot x) + (0)*(\ddot y)) = 0; ((0)*(\ddot x) + (m)*(\ddot y)) = 0",
             ),
             (
                 "(m+M & -k - c ; 0 & 1)(x ; y) = (F/2)(1 ; 0)",

@@ -38,6 +38,7 @@ pub(crate) fn measured(
         return Err(TypedError::new(Trouble::TooLong, MAX_LENGTH, text.len()));
     }
     let manner = Manner {
+        is_in_any_case: false,
         comma_is_decimal: true,
         has_imaginary_unit,
         values: Some(DecimalMark::Point),
@@ -328,7 +329,7 @@ fn argument(formula: &Expr) -> Result<Expr, Trouble> {
         let radians = Unit::parse("rad/s").map_err(|_| Trouble::Value(ValueTrouble::Units))?;
         return converted(bare, &unit, &radians);
     }
-    Err(Trouble::Value(ValueTrouble::Units))
+    Err(Trouble::Value(ValueTrouble::UnitOfArgument))
 }
 
 /// A number of degrees.

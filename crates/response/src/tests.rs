@@ -24,6 +24,7 @@ const MANNER: Manner = Manner {
     comma_is_decimal: true,
     has_imaginary_unit: true,
     values: None,
+    is_in_any_case: false,
 };
 
 /// A text in plain signs, as every kind gets it.

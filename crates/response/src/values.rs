@@ -76,6 +76,7 @@ impl<'t> Values<'t> {
             comma_is_decimal: style.comma_is_decimal,
             has_imaginary_unit: style.is_complex,
             values: Some(style.mark),
+            ..Manner::default()
         };
         let tokens = tokens(text, 0, text.len(), &NUMBERS, manner)?;
         Ok(Self { text, tokens })

@@ -200,48 +200,43 @@ impl Words {
         words.add_velocities();
         words.add_rates();
         words.add_bare_frequency(entries);
+        words
+    }
+
+    /// The same with the names in the other case.
+    pub(crate) fn in_any_case(entries: &[LexiconEntry]) -> Self {
+        let mut words = Self::of(entries);
         words.add_other_case(entries);
         words
     }
 
-    /// `M` for m and `k1` for K₁, as telephones and shouting have them, where no name of the item has that letter in that
-    /// case. The time, the constants, and the Greek letters whose capitals mean something else stay as they are.
+    /// `M` for m and `k1` for K₁, as telephones and shouting have them, where the item has no such name. The time, the
+    /// constants, and the Greek letters whose capitals mean something else stay as they are.
     fn add_other_case(&mut self, entries: &[LexiconEntry]) {
         const OWN_SENSE: [char; 8] = ['t', 'T', 'e', 'E', 'i', 'I', 'j', 'J'];
-        let names: Vec<(String, &Name)> = entries
-            .iter()
-            .filter_map(|entry| {
-                let (LexiconEntry::Allowed(name, ..) | LexiconEntry::Forbidden(name)) = entry;
-                Some((Letters::spelling(name.as_str())?, name))
-            })
-            .collect();
-        let has_letter = |letter: char| names.iter().any(|(own, _)| own.starts_with(letter));
         for entry in entries {
-            let LexiconEntry::Allowed(name, _, is_moving) = entry else {
+            let LexiconEntry::Allowed(name, symbol, is_moving) = entry else {
                 continue;
             };
-            let spelling = Letters::spelling(name.as_str()).unwrap_or_default();
-            let mut chars = spelling.chars();
-            let Some(first) = chars.next() else { continue };
-            let index = chars.as_str();
-            let other = if first.is_ascii_uppercase() {
-                first.to_ascii_lowercase()
-            } else {
-                first.to_ascii_uppercase()
-            };
-            let is_letter = index.bytes().all(|byte| byte.is_ascii_digit());
-            if !is_letter || OWN_SENSE.contains(&first) || has_letter(other) {
-                continue;
-            }
-            let word = format!("{other}{index}");
-            if self.knows(&word) {
-                continue;
-            }
-            self.add(&word, WordSense::Leaf(Expr::name(name.clone())), 0);
-            if *is_moving {
-                for order in [1, 2] {
-                    let rate = WordSense::Leaf(Expr::name(name.clone()).prime(order));
-                    for rate_word in rates(&word, order) {
+            let spellings = [name.as_str(), &symbol.plain()].map(Letters::spelling);
+            for spelling in spellings.into_iter().flatten() {
+                let mut chars = spelling.chars();
+                let first = chars.next().unwrap_or_default();
+                let is_letter = chars.as_str().bytes().all(|byte| byte.is_ascii_digit());
+                let other = if first.is_ascii_uppercase() {
+                    first.to_ascii_lowercase()
+                } else {
+                    first.to_ascii_uppercase()
+                };
+                let word = format!("{other}{}", chars.as_str());
+                if !is_letter || OWN_SENSE.contains(&first) || self.knows(&word) {
+                    continue;
+                }
+                self.add(&word, WordSense::Leaf(Expr::name(name.clone())), 0);
+                let orders: &[u8] = if *is_moving { &[1, 2] } else { &[] };
+                for order in orders {
+                    let rate = WordSense::Leaf(Expr::name(name.clone()).prime(*order));
+                    for rate_word in rates(&word, *order) {
                         self.add(&rate_word, rate.clone(), 0);
                     }
                 }

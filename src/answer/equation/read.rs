@@ -10,7 +10,7 @@ impl Setup {
     /// The equations that a response is; where others say what letters mean that the question does not have, with
     /// these in their place.
     pub(crate) fn read(&self, response: Passage<'_>) -> Result<Vec<Equation>, Unreadable> {
-        self.alone(response).or_else(|why| {
+        self.alone(response, Manner::REAL).or_else(|why| {
             // What is said beside the point stays so, whatever letters mean.
             let is_beside = matches!(
                 *why.why,
@@ -18,8 +18,12 @@ impl Setup {
             );
             let defined = || (!is_beside).then(|| self.defined(response)).flatten();
             // `[M][x''] + [K][x] = 0`
-            let rows = || self.alone(response.equations_of_matrices()?.passage()).ok();
-            rows().or_else(defined).ok_or(why)
+            let rows = || {
+                let rows = response.equations_of_matrices()?;
+                self.alone(rows.passage(), Manner::REAL).ok()
+            };
+            let in_any_case = || self.alone(response, Manner::REAL.in_any_case()).ok();
+            rows().or_else(defined).or_else(in_any_case).ok_or(why)
         })
     }
 
@@ -58,13 +62,13 @@ impl Setup {
         })
     }
 
-    fn alone(&self, response: Passage<'_>) -> Result<Vec<Equation>, Unreadable> {
+    fn alone(&self, response: Passage<'_>, manner: Manner) -> Result<Vec<Equation>, Unreadable> {
         let mut found = Vec::new();
         for own in response.equations() {
             if let Some(why) = beside_the_point(own) {
                 return Err(why);
             }
-            let chain = own.chain(&self.lexicon, Manner::REAL);
+            let chain = own.chain(&self.lexicon, manner);
             let chain = chain.map_err(|error| match error.trouble {
                 Trouble::NoRelation => Why::NoEquation.into(),
                 _ => Unreadable::typed(&error, own),

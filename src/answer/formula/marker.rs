@@ -91,9 +91,9 @@ impl Prepared {
         right
     }
 
-    /// The marking of a statement that is right without being solved for what is asked.
-    fn right_unsolved(&self, response: Passage<'_>) -> Option<Marking> {
-        let typed = self.unsolved(response)?;
+    /// The marking of a statement that begins with steps in letters of one's own, if it is right.
+    fn right_behind_steps(&self, response: Passage<'_>) -> Option<Marking> {
+        let typed = self.behind_own_steps(response)?;
         let mut all = [typed.value].into_iter().chain(typed.others);
         all.find_map(|expr| {
             let read = Read {
@@ -255,7 +255,7 @@ impl Marker for Prepared {
             Ok(marking) => marking,
             Err(error)
                 if error.trouble == Trouble::Unsolved
-                    && let Some(marking) = self.right_unsolved(response) =>
+                    && let Some(marking) = self.right_behind_steps(response) =>
             {
                 marking
             }

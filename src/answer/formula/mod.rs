@@ -18,7 +18,6 @@
 mod marker;
 mod read;
 mod slip;
-mod solved;
 
 use std::collections::BTreeMap;
 use std::sync::{Arc, OnceLock};

@@ -1,10 +1,9 @@
 //! Reads the formula of a response, and the unit that may come after it all the same.
 
 use super::marker::Prepared;
-use super::solved::solved;
 use crate::answer::equality::Comparison;
 use crate::answer::{Marking, Misfit, Note, Unreadable, Verdict, Why};
-use crate::expr::{Expr, Field, Name};
+use crate::expr::{Expr, Field};
 use crate::response::{BeforeUnit, Manner, Passage, Stated, Trouble, Typed, TypedError};
 use crate::unit::Unit;
 
@@ -55,31 +54,19 @@ impl Prepared {
         forms.into_iter().all(is_same).then_some(typed)
     }
 
-    /// What a statement comes to that is not solved for what is asked, `ω² = k/m`, or that begins with steps in letters of
-    /// one's own, `F_R/k = μ m g/k`: only worth anything where that is right.
-    pub(crate) fn unsolved(&self, response: Passage<'_>) -> Option<Typed<Expr>> {
+    /// The last side of a statement that begins with steps in letters of one's own, `F_R/k = μ m g/k`; none of them is
+    /// what is asked, as in `ω² = k/m`.
+    pub(crate) fn behind_own_steps(&self, response: Passage<'_>) -> Option<Typed<Expr>> {
         let stated = self.stated(response).ok()?;
         let pieces = stated.pieces();
-        let [first, steps @ .., last] = &pieces[..] else {
+        let (last, steps) = pieces.split_last()?;
+        let read = |side: &Passage<'_>| side.formula(&self.setup.lexicon, self.manner());
+        let has_asked = |side: &Passage<'_>| self.setup.naming.has_asked(*side);
+        let are_own = steps.first().is_some_and(|first| read(first).is_err());
+        if !are_own || steps.iter().any(has_asked) {
             return None;
-        };
-        let (lexicon, naming) = (&self.setup.lexicon, &self.setup.naming);
-        let read = |side: &Passage<'_>| side.formula(lexicon, self.manner());
-        let last = read(last).ok()?;
-        if let Some(left) = naming.letters(*first).filter(|left| naming.is_of_key(left)) {
-            let is_asked = |name: &Name| naming.asks(name);
-            let mut readings = [last.value]
-                .into_iter()
-                .chain(last.others)
-                .filter_map(|right| solved(&left, &right, &is_asked));
-            return Some(Typed {
-                value: readings.next()?,
-                others: readings.collect(),
-            });
         }
-        let is_own_step = |side: &Passage<'_>| read(side).is_err() && !naming.has_asked(*side);
-        let are_steps = is_own_step(first) && !steps.iter().any(|side| naming.has_asked(*side));
-        are_steps.then_some(last)
+        read(last).ok()
     }
 
     /// What is read in the manner of the key.
@@ -107,11 +94,12 @@ impl Prepared {
                 .mistakes
                 .iter()
                 .any(|mistake| mistake.formula.is_complex());
-        if is_complex {
+        let manner = if is_complex {
             Manner::COMPLEX
         } else {
             Manner::REAL
-        }
+        };
+        manner.in_any_case()
     }
 
     /// Whether names stand in the key.

@@ -271,6 +271,9 @@ impl Prepared<'_> {
                     error.trouble,
                     Trouble::Value(ValueTrouble::UnitOfOne | ValueTrouble::Units)
                 );
+                if error.trouble == Trouble::Value(ValueTrouble::UnitOfArgument) {
+                    return Some(Err(Why::UnitOfArgument.into()));
+                }
                 return has_no_common.then(|| Err(Why::UnitOfTerms.into()));
             }
         };

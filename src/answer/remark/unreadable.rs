@@ -265,6 +265,8 @@ pub enum Why {
     AngleAdded,
     /// Units at some terms.
     UnitOfTerms,
+    /// A unit in the argument of a function that is neither that of an angle nor a rate before the time.
+    UnitOfArgument,
     /// A unit that does not fit; the one that is asked.
     UnitOfFunction(Unit),
     /// Several functions where one is asked, as it is written.

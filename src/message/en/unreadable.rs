@@ -235,6 +235,10 @@ fn why(why: &Why) -> String {
         Why::AngleAdded => {
             "an angle is added to the function: put brackets, as in `cos(5 t + 30°)`.".to_owned()
         }
+        Why::UnitOfArgument => {
+            "what stands in a sine, an exponential or another function is a number or an angle; here a unit is left over."
+                .to_owned()
+        }
         Why::UnitOfTerms => "give each term its unit, or write one after the whole.".to_owned(),
         Why::UnitOfFunction(unit) => {
             format!("the unit does not fit; the answer is in {}.", unit.text())

@@ -232,6 +232,10 @@ fn why(why: &Why) -> String {
         Why::AngleAdded => {
             "un angle est ajouté à la fonction : mettez des parenthèses, comme dans `cos(5 t + 30°)`.".to_owned()
         }
+        Why::UnitOfArgument => {
+            "l'argument d'un sinus, d'une exponentielle ou d'une autre fonction est un nombre ou un angle ; ici, il reste une unité."
+                .to_owned()
+        }
         Why::UnitOfTerms => "donnez son unité à chaque terme, ou écrivez-en une seule après le tout.".to_owned(),
         Why::UnitOfFunction(unit) => {
             format!("l’unité ne convient pas ; la réponse est demandée en {}.", unit.text())

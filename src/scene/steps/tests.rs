@@ -85,6 +85,7 @@ impl<'s, 'a, 't> Reader<'s, 'a, 't> {
                 comma_is_decimal: false,
                 has_imaginary_unit: false,
                 values,
+                ..Manner::default()
             };
             folded.formula(&self.lexicon, manner)
         };
