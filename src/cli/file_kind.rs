@@ -42,10 +42,9 @@ impl FileKind {
         if beginning.starts_with('<') {
             return Some(Self::Page);
         }
-        let is_statement = |line: &str| line.starts_with('[') || line.contains('=');
         let mut lines = beginning.lines().map(str::trim);
         let first = lines.find(|line| !line.is_empty() && !line.starts_with('#'))?;
-        if is_statement(first) {
+        if first.starts_with('[') || first.contains('=') {
             return beginning
                 .contains("[[question]]")
                 .then_some(Self::Blueprint);

@@ -143,7 +143,7 @@ pub(crate) fn pages(
     pages.try_for_each(|(form, sheet)| {
         let (practice, readers) = reader(sheet, manifest, readers);
         let page = output::form(form, &practice, &readers);
-        let page = page.map_err(|error| Failure::new(error.to_string()))?;
+        let page = page.map_err(Failure::of)?;
         let name = format!("{below}{}.html", sheet.code);
         out.write(&name, page.as_bytes()).map(drop)
     })?;
@@ -207,7 +207,7 @@ impl<'m> Writer<'m> {
             ..bare(manifest)
         };
         let grader = Grader::of(&practice.lines(&compiled));
-        let grader = grader.map_err(|error| Failure::new(error.to_string()))?;
+        let grader = grader.map_err(Failure::of)?;
         Ok(Self {
             manifest,
             run: Run::plain(&manifest.title, &manifest.language, manifest.decimal),

@@ -137,8 +137,7 @@ impl FileReading {
         if let Some(doubt) = &table.doubt {
             eprintln!("{doubt}");
         }
-        let begins_row = |row: &table::TableRow<'_>| begins_sheet(row, layout.code());
-        for row in table.rows(&begins_row) {
+        for row in table.rows(&|row| begins_sheet(row, layout.code())) {
             match row {
                 Ok(row) => layout.rows(&row, &mut |at, response| match table.spoilt(row.line, at) {
                     Some(spoilt) => {
@@ -225,8 +224,7 @@ enum LineLayout {
 
 impl LineLayout {
     fn of(names: &[String]) -> Option<Self> {
-        let place = |name: &str| names.iter().position(|found| found == name);
-        let places = COLUMNS.map(place);
+        let places = COLUMNS.map(|name| names.iter().position(|found| found == name));
         if let [Some(a), Some(b), Some(c), Some(d)] = places {
             return Some(Self::Parts([a, b, c, d]));
         }

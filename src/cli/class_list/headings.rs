@@ -311,8 +311,7 @@ impl Places {
             }
         };
         let stated = |heading: &str| {
-            let missing = || HeadingError::Missing(heading.to_owned());
-            place(heading)?.ok_or_else(missing)
+            place(heading)?.ok_or_else(|| HeadingError::Missing(heading.to_owned()))
         };
         let known = |role: ColumnRole| -> Result<Option<usize>, HeadingError> {
             let words = WORDS.iter().find(|(own, _)| *own == role);
@@ -396,10 +395,9 @@ impl Places {
 /// A cell as it is seen: marks of direction and byte order, which would reverse what comes after a name, are dropped, those
 /// that join letters of some scripts are kept.
 fn visible(cell: &str) -> String {
-    let joins = |char| matches!(char, '\u{200c}' | '\u{200d}' | '\u{fe0e}' | '\u{fe0f}');
-    let seen = cell
-        .chars()
-        .filter(|char| joins(*char) || !is_invisible(*char));
+    let seen = cell.chars().filter(|char| {
+        matches!(*char, '\u{200c}' | '\u{200d}' | '\u{fe0e}' | '\u{fe0f}') || !is_invisible(*char)
+    });
     let seen: String = seen
         .map(|char| if char.is_control() { ' ' } else { char })
         .collect();

@@ -82,10 +82,9 @@ struct Task {
 
 /// The manifests of a folder, those of earlier runs among them, by their names.
 fn manifests(out: &Folder) -> Result<Vec<(String, Manifest)>, Failure> {
-    let is_manifest = |name: &String| {
+    let own = out.names("").into_iter().filter(|name| {
         name == "manifest.json" || name.starts_with("manifest-") && name.ends_with(".json")
-    };
-    let own = out.names("").into_iter().filter(is_manifest);
+    });
     let earlier = out.names(MANIFESTS).into_iter();
     let earlier = earlier.filter(|name| name.ends_with(".json"));
     own.chain(earlier.map(|name| format!("{MANIFESTS}/{name}")))

@@ -127,10 +127,10 @@ impl Person {
 
 /// Whether a word is in a text with no letter or digit beside it, and not in the base 64 of a font.
 fn has_word(text: &str, word: &str) -> bool {
-    let is_inner = |sign: char| sign.is_alphanumeric() || "+/=".contains(sign);
-    let is_free = |sign: Option<char>| !sign.is_some_and(is_inner);
-    let mut found = text.match_indices(word);
-    found.any(|(at, word)| {
+    let is_free = |sign: Option<char>| {
+        !sign.is_some_and(|sign| sign.is_alphanumeric() || "+/=".contains(sign))
+    };
+    text.match_indices(word).any(|(at, word)| {
         is_free(text[..at].chars().next_back()) && is_free(text[at + word.len()..].chars().next())
     })
 }

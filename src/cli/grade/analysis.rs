@@ -163,12 +163,11 @@ impl Analysis {
             marks: findings.marks,
             decided: findings.decided,
         };
-        let page = report_page(&layout.pages, &analysed)
-            .map_err(|error| Failure::new(error.to_string()))?;
+        let page = report_page(&layout.pages, &analysed).map_err(Failure::of)?;
         let begin = layout
             .pages
             .begin(layout.pages.report_subtitle())
-            .map_err(|error| Failure::new(error.to_string()))?;
+            .map_err(Failure::of)?;
         let whole = format!("{begin}{page}{}", layout.end);
         out.write("report.html", whole.as_bytes()).map(drop)
     }

@@ -15,7 +15,7 @@ use super::decisions::{Corrected, Decisions};
 use super::items::Items;
 use super::manifest::{Sheets, manifest};
 use super::marking::Marker;
-use crate::cli::platform::{self, KnownQuestions, Report, TakenAttempt, Which};
+use crate::cli::platform::{self, KnownQuestions, Report, Which};
 use crate::cli::shard::Shard;
 use crate::cli::{Failure, counted, files, package, responses};
 
@@ -111,10 +111,9 @@ impl Handed {
                 decisions,
                 takes_points: false,
             };
-            let points = |taken: &TakenAttempt| Ok(marker.sheet(&taken.entry)?.0.points());
             attempts
                 .par_iter()
-                .map(points)
+                .map(|taken| Ok(marker.sheet(&taken.entry)?.0.points()))
                 .collect::<Result<Vec<_>, Failure>>()?
         } else {
             Vec::new()

@@ -72,7 +72,6 @@ impl<'c> Items<'c> {
     /// Whether the bank has another text of an item; questions of a blueprint's own it never had.
     pub(crate) fn has_moved_on(&self, id: &ItemId, revision: Revision) -> bool {
         let bank = self.bank.find(id.as_str());
-        let is_other = |own: &Template| own.revision != revision;
-        bank.map_or(!id.is_own(), is_other)
+        bank.map_or(!id.is_own(), |own| own.revision != revision)
     }
 }

@@ -154,8 +154,9 @@ pub(crate) fn run(arguments: &Arguments) -> Result<super::Outcome, Failure> {
     let census = Census::take(&mut open()?, &catalogue, arguments.accept_revisions)?;
     let book = |own| Gradebook::new(own, &arguments.gradebook_id, &census.known_by);
     let gradebook = arguments.gradebook.map(book).transpose()?;
-    let is_known = |code: &str| census.handed_out.codes.contains(code);
-    faults.extend(Saved::foreign(&names, is_known));
+    faults.extend(Saved::foreign(&names, |code| {
+        census.handed_out.codes.contains(code)
+    }));
     decisions.check(&census.handed_out.questions)?;
     if let Some(stated) = &stated {
         let repeated = decisions::file::add(&mut decisions, stated, &census.handed_out)?;

@@ -16,7 +16,7 @@ use std::ops::Range;
 use std::path::Path;
 
 pub(crate) use self::attempts::Which;
-pub(crate) use self::sheets::{KnownQuestions, TakenAttempt, responses, taken};
+pub(crate) use self::sheets::{KnownQuestions, responses, taken};
 
 use self::cells::decoded;
 use self::moment::{Moment, moment};
@@ -89,9 +89,10 @@ impl Report {
             .collect();
         let mut foreign = BTreeSet::new();
         let (name, layout, first) = if let Some(first) = canvas.first() {
-            let asked =
-                |at: &usize| Some((*at, QuestionOrigin::read(&decoded(&table.headings[*at]))?));
-            let found: Vec<(usize, QuestionOrigin)> = canvas.iter().filter_map(asked).collect();
+            let found: Vec<(usize, QuestionOrigin)> = canvas
+                .iter()
+                .filter_map(|at| Some((*at, QuestionOrigin::read(&decoded(&table.headings[*at]))?)))
+                .collect();
             let others = canvas
                 .iter()
                 .filter(|at| found.iter().all(|(own, _)| own != *at));
@@ -123,8 +124,7 @@ impl Report {
         };
         let who = Who::of(path, table, first)?;
         let width = table.headings.len();
-        let begins_row = |row: &TableRow<'_>| row.cells.len() == width;
-        for row in table.rows(&begins_row) {
+        for row in table.rows(&|row| row.cells.len() == width) {
             match row {
                 Ok(row) => report.attempt(table, &layout, &who, &row),
                 Err(broken) => report
@@ -305,9 +305,8 @@ fn questions(
     table: &Table,
     groups: &[Range<usize>],
 ) -> Result<Vec<QuestionColumns>, Failure> {
-    let none = |_: &TableRow<'_>| false;
     let mut known = BTreeSet::new();
-    for row in table.rows(&none).flatten() {
+    for row in table.rows(&|_| false).flatten() {
         let columns = groups.iter().flat_map(Clone::clone);
         known.extend(columns.filter(|at| asked(row.cell(*at)).is_some()));
     }
@@ -353,8 +352,7 @@ struct Who {
 
 impl Who {
     fn of(path: &Path, table: &Table, first: usize) -> Result<Self, Failure> {
-        let none = |_: &TableRow<'_>| false;
-        let rows: Vec<TableRow<'_>> = table.rows(&none).flatten().collect();
+        let rows: Vec<TableRow<'_>> = table.rows(&|_| false).flatten().collect();
         let filled = |at: usize| {
             let cells = rows.iter().map(move |row| row.cell(at));
             cells.filter(|cell| !matches!(*cell, "" | "-"))
@@ -415,9 +413,8 @@ impl Who {
             cells: row.cells[..width].to_vec(),
         };
         let mut columns = self.places.student(&self.headings, &own).columns;
-        let known = |name: &str| columns.get(name).cloned().unwrap_or_default();
         let mut id = if self.has_id {
-            known("id")
+            columns.get("id").cloned().unwrap_or_default()
         } else {
             String::new()
         };

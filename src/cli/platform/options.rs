@@ -23,23 +23,24 @@ pub(crate) fn chosen(part: &Part, words: &str) -> Option<usize> {
         document.write_html_line_with(&mut html, &none, notation, Voice::ENGLISH);
         bare(&html)
     };
-    let is_own = |document: &Document| {
-        let mut written = notations
-            .iter()
-            .map(|notation| exported(document, *notation));
-        written.any(|own| own == typed)
-    };
     // Moodle marks bold and slanted words by signs of its own.
     let letters = |text: &str| {
         text.chars()
             .filter(|char| char.is_alphanumeric())
             .collect::<String>()
     };
-    let is_alike = |document: &Document| {
+    only(&|document| {
         let mut written = notations
             .iter()
             .map(|notation| exported(document, *notation));
-        written.any(|own| letters(&own) == letters(&typed))
-    };
-    only(&is_own).or_else(|| only(&is_alike))
+        written.any(|own| own == typed)
+    })
+    .or_else(|| {
+        only(&|document| {
+            let mut written = notations
+                .iter()
+                .map(|notation| exported(document, *notation));
+            written.any(|own| letters(&own) == letters(&typed))
+        })
+    })
 }

@@ -12,7 +12,7 @@ use super::attempts::Which;
 use super::cells::{boxes, essay, lines};
 use super::moment::Moment;
 use super::options::chosen;
-use super::origin::{BoxAnswer as Boxed, Interaction, QuestionOrigin};
+use super::origin::{Interaction, QuestionOrigin};
 use super::{AnswerTarget, Attempt, ColumnAnswer, Report};
 use crate::cli::Failure;
 use crate::cli::package::ReadPackage;
@@ -118,13 +118,12 @@ impl KnownQuestions<'_> {
             return None;
         };
         let has_all = |question: &QuestionEntry| {
-            let has = |asked: &Boxed| {
+            origin.boxes.iter().all(|asked| {
                 question
                     .parts
                     .iter()
                     .any(|part| part.letter == asked.letter)
-            };
-            origin.boxes.iter().all(has)
+            })
         };
         let questions = variants.get(&origin.code.to_string())?.iter();
         let mut question = questions

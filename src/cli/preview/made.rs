@@ -180,8 +180,7 @@ impl Question {
 /// out: a whole class would have to be chosen for it.
 fn sheet<'c>(plan: &Plan<'c>, students: &[Student], place: usize) -> Result<Sheet<'c>, Trouble> {
     let refuse = |error: vibank::worksheet::SheetError| {
-        Failure::new(error.to_string())
-            .help("loosen the constraints of the item, or fix other data with `set`")
+        Failure::of(error).help("loosen the constraints of the item, or fix other data with `set`")
     };
     let mut chooser = Chooser::new(plan, students, BTreeMap::new());
     let first = if students.is_empty() { 0 } else { place };
@@ -244,7 +243,7 @@ impl From<Failure> for Trouble {
 
 impl From<output::OutputError> for Trouble {
     fn from(error: output::OutputError) -> Self {
-        Self::Failure(Failure::new(error.to_string()))
+        Self::Failure(Failure::of(error))
     }
 }
 

@@ -310,7 +310,7 @@ impl Laid {
 }
 
 pub(crate) fn unfilled(error: output::OutputError) -> Failure {
-    Failure::new(error.to_string())
+    Failure::of(error)
 }
 
 /// The layouts of one format in a folder of the user.

@@ -51,13 +51,13 @@ pub(crate) fn make_room(
         None => "before".to_owned(),
     };
     if !precious.is_empty() {
-        let free = |place: &String| !out.has(place);
-        let names = (1..).map(|number| match number {
+        let mut names = (1..).map(|number| match number {
             1 => format!("{KEPT}/{digest}"),
             _ => format!("{KEPT}/{digest}-{number}"),
         });
-        let mut names = names;
-        let kept = names.find(free).expect("there are names without end");
+        let kept = names
+            .find(|place| !out.has(place))
+            .expect("there are names without end");
         for (file, _) in &precious {
             out.rename(file, &format!("{kept}/{file}"))?;
         }

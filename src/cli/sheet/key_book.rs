@@ -67,18 +67,18 @@ pub(crate) fn bound(lines: &str) -> Result<Vec<u8>, Failure> {
         .chain(parts.iter().copied())
         .map(str::to_owned)
         .collect();
-    let cells = |(first, keys): &KeyRowCells| {
-        let key = |part: &&str| {
-            let mut keys = keys.iter();
-            let found = keys.find(|(own, _)| own == part);
-            Cell::text(found.map_or("", |(_, key)| key))
-        };
-        first
-            .iter()
-            .map(Cell::text)
-            .chain(parts.iter().map(key))
-            .collect()
-    };
-    let rows: Vec<Vec<Cell>> = rows.iter().map(cells).collect();
+    let rows: Vec<Vec<Cell>> = rows
+        .iter()
+        .map(|(first, keys)| {
+            first
+                .iter()
+                .map(Cell::text)
+                .chain(parts.iter().map(|part| {
+                    let found = keys.iter().find(|(own, _)| own == part);
+                    Cell::text(found.map_or("", |(_, key)| key))
+                }))
+                .collect()
+        })
+        .collect();
     workbook::written("Keys", &head, &rows)
 }

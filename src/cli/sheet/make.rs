@@ -316,5 +316,5 @@ pub(crate) fn refuse(error: &SheetError) -> Failure {
         }
         _ => "loosen the constraints of the item, or fix other data with `set`",
     };
-    Failure::new(error.to_string()).help(way)
+    Failure::of(error).help(way)
 }

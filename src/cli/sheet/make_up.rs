@@ -100,11 +100,10 @@ pub(crate) fn folder(blueprint: &Path) -> PathBuf {
 
 /// The manifest of the first run.
 fn first(arguments: &Arguments) -> PathBuf {
-    let usual = || {
+    arguments.first.clone().unwrap_or_else(|| {
         let name = arguments.blueprint.file_stem().unwrap_or("sheet".as_ref());
         Path::new(name).join("manifest.json")
-    };
-    arguments.first.clone().unwrap_or_else(usual)
+    })
 }
 
 fn unknown(id: &str, students: &[Student]) -> Failure {

@@ -88,8 +88,9 @@ impl<'f> Outputs<'f> {
             };
             let stream = |(kind, begin): &(PageKind, String)| {
                 let name = shard.named(kind.folder(), laid.extension());
-                let open = || Stream::open(out, name, begin, mark);
-                (!laid.is_split).then(open).transpose()
+                (!laid.is_split)
+                    .then(|| Stream::open(out, name, begin, mark))
+                    .transpose()
             };
             let table = laid.table.as_ref().map(|begin| {
                 let name = shard.named("key-table", laid.extension());
@@ -290,12 +291,11 @@ impl Stream {
         let pieces: Vec<&str> = pieces.split(PIECE_END).collect();
         let (stem, extension) = self.name.rsplit_once('.').unwrap_or((&self.name, ""));
         let digits = pieces.len().to_string().len();
-        let named = |at: usize| match pieces.len() {
-            1 => self.name.clone(),
-            _ => format!("{stem}-{:0digits$}.{extension}", at + 1),
-        };
-        let print = |(at, piece): (usize, &&str)| {
-            let name = named(at);
+        let printed = pieces.par_iter().enumerate().map(|(at, piece)| {
+            let name = match pieces.len() {
+                1 => self.name.clone(),
+                _ => format!("{stem}-{:0digits$}.{extension}", at + 1),
+            };
             match laid.bind(format!("{begin}{piece}{}", laid.end)) {
                 Ok(bytes) => Ok((out.write(&name, &bytes)?, name, None)),
                 Err(why) => {
@@ -303,8 +303,7 @@ impl Stream {
                     Ok((UNPRINTED.to_owned(), name, Some(line)))
                 }
             }
-        };
-        let printed = pieces.par_iter().enumerate().map(print);
+        });
         let printed: Vec<_> = printed.collect::<Result<_, Failure>>()?;
         let mut digests = Vec::new();
         for (digest, name, line) in printed {

@@ -167,8 +167,7 @@ impl<'t> Cursor<'t> {
             let length = rest.find(['\n', '\r']).unwrap_or(rest.len());
             // A line on its own: quotes that it leaves open end with it.
             let mut own = Cursor::new(&rest[..length], self.delimiter);
-            let none = |_: &TableRow<'_>| false;
-            if let Some(Ok(row)) = own.row(&none)
+            if let Some(Ok(row)) = own.row(&|_| false)
                 && begins_row(&row)
             {
                 return true;

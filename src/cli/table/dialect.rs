@@ -48,10 +48,9 @@ impl Dialect {
             .delimiter(delimiter)
             .buffer_capacity(ROOM)
             .from_writer(Vec::new());
-        let fail = |error: csv::Error| Failure::new(format!("cannot write CSV: {error}"));
         writer
             .write_record(fields.iter().map(|field| guarded(field)))
-            .map_err(fail)?;
+            .map_err(|error| Failure::new(format!("cannot write CSV: {error}")))?;
         writer
             .into_inner()
             .map_err(|error| Failure::new(format!("cannot write CSV: {error}")))
