@@ -327,8 +327,7 @@ impl Template {
         let asked = others.flat_map(|(_, part)| part.answer.keys());
         let asked: Vec<NodeId> = asked.flat_map(|key| self.listed(key)).collect();
         let is_hidden = |node| self.info(node).is_none_or(|info| info.units.is_none());
-        let datum = |node| self.datum(node);
-        Method::all(&self.graph, key, &asked, is_hidden, datum)
+        Method::all(&self.graph, key, &asked, is_hidden, |node| self.datum(node))
     }
 
     /// A key, and the quantities that it lists.

@@ -28,8 +28,9 @@ pub(crate) fn printed(solution: &Solution<'_>, place: usize) -> Option<String> {
 
 fn by_lines(solution: &Solution<'_>, passage: &Passage, key: NodeId) -> Option<Value> {
     let shown = passage.pieces.iter().filter(|piece| {
-        let holds = |when| solution.evaluation().holds(when) == Ok(true);
-        piece.when.is_none_or(holds)
+        piece
+            .when
+            .is_none_or(|when| solution.evaluation().holds(when) == Ok(true))
     });
     shown
         .filter_map(|piece| worked(solution, piece, key).or_else(|| written(solution, piece, key)))

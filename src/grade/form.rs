@@ -212,8 +212,8 @@ impl Forms<'_> {
         };
         let is_number = |side: &FormedSide<'_>| {
             let is_misfit = side.own.reasons().contains(&Reason::Dimension);
-            let may_be_letters = || letters(side).is_some() || side.typed.is_of_free_letters();
-            side.own.reading.is_some() && !(is_misfit && may_be_letters())
+            side.own.reading.is_some()
+                && !(is_misfit && (letters(side).is_some() || side.typed.is_of_free_letters()))
         };
         let value = marked.iter().rfind(|side| is_number(side))?;
         for (at, side) in marked.iter().enumerate() {

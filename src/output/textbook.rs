@@ -174,11 +174,11 @@ fn picture(
             let picture = picture.map_err(|error: Undrawn| fail(error.to_string()))?;
             picture.svg("plot", &pages.run.spoken())
         }
-        None => {
-            let picture = scene.picture();
-            let missing = || fail(format!("`{}` has no figure", template.id));
-            picture.ok_or_else(missing)?.svg.clone()
-        }
+        None => scene
+            .picture()
+            .ok_or_else(|| fail(format!("`{}` has no figure", template.id)))?
+            .svg
+            .clone(),
     };
     Ok(pages.writer.figure(&svg))
 }
@@ -206,10 +206,9 @@ fn known<'c>(
     line: usize,
     item: &str,
 ) -> Result<&'c Template, TextbookError> {
-    let message = || format!("there is no item `{item}` in the bank");
     catalogue.find(item).ok_or_else(|| TextbookError::Line {
         line,
-        message: message(),
+        message: format!("there is no item `{item}` in the bank"),
     })
 }
 

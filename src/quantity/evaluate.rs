@@ -192,8 +192,7 @@ impl<'g> Evaluation<'g> {
 
     /// What was computed so far, and what was not.
     pub fn trace(&self) -> Trace {
-        let computed = |id: &NodeId| self.values[id.index()].get().is_some();
-        Trace::of(self.graph, computed)
+        Trace::of(self.graph, |id| self.values[id.index()].get().is_some())
     }
 
     /// How far rounding in the steps between data and this value can move it, entry by entry:

@@ -369,8 +369,9 @@ impl Graph {
         if !node.is_plain {
             return node.computation.get()?.as_ref();
         }
-        let translated = || self.link(node.expr()?).ok();
-        node.computation.get_or_init(translated).as_ref()
+        node.computation
+            .get_or_init(|| self.link(node.expr()?).ok())
+            .as_ref()
     }
 
     /// Adds a system under the beginning of its paths, `model` or `models.relative`.

@@ -78,9 +78,8 @@ fn units(dimension: Dimension) -> (Unit, Unit) {
     } else if dimension == Dimension::PURE {
         (unit("rad"), unit("N m"))
     } else {
-        let coherent = |dimension: Dimension| unit(&dimension.describe());
         let force = unit("J").dimension() / dimension;
-        (coherent(dimension), coherent(force))
+        (unit(&dimension.describe()), unit(&force.describe()))
     }
 }
 

@@ -304,15 +304,14 @@ impl<'c> Planner<'c> {
                 .iter()
                 .flat_map(|question| &question.candidates)
         };
-        let has_formulas = |chapter: &&Chapter| {
-            let is_asked = items().any(|item| item.id.chapter() == chapter.folder);
-            is_asked && !chapter.formulas.is_empty()
-        };
         let found: Vec<&Chapter> = self
             .catalogue
             .chapters
             .iter()
-            .filter(has_formulas)
+            .filter(|chapter| {
+                let is_asked = items().any(|item| item.id.chapter() == chapter.folder);
+                is_asked && !chapter.formulas.is_empty()
+            })
             .collect();
         if found.is_empty() && !self.questions.is_empty() {
             self.find(&PlanError::NoFormulas { span: place });

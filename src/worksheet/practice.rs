@@ -230,12 +230,10 @@ impl Practice {
 impl Practice {
     /// The lines of a page.
     pub fn lines(&self, items: &[Compiled]) -> String {
-        let line =
-            |value: serde_json::Result<String>| value.expect("plain data, with texts as keys");
-        let mut out = line(serde_json::to_string(self));
+        let mut out = serde_json::to_string(self).expect("plain data, with texts as keys");
         for item in items {
             out.push('\n');
-            out.push_str(&line(serde_json::to_string(item)));
+            out.push_str(&serde_json::to_string(item).expect("plain data, with texts as keys"));
         }
         out
     }

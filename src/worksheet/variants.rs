@@ -470,14 +470,13 @@ impl<'p, 'c> Chooser<'p, 'c> {
             .parts
             .iter()
             .map(|part| (*part, size(solution, *part)));
-        let answer = |part: &usize| {
+        let answers = question.parts.iter().filter_map(|part| {
             let key = solution.key(*part).ok().filter(|_| usual.differs(*part))?;
             Some(mark(
                 &[question.place as u64, *part as u64],
                 &key.math.plain(),
             ))
-        };
-        let answers = question.parts.iter().filter_map(answer);
+        });
         AskedQuestion {
             item: self.item(question),
             data,

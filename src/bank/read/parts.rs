@@ -45,8 +45,9 @@ pub(crate) fn read<'s>(reader: &mut ItemReader<'s>, table: &Table<'s>) -> Vec<Pa
 
 /// Whether no part before has the identity of this one; a finding if one has.
 fn is_new(reader: &mut ItemReader<'_>, part: &Part, span: Span, before: &[Part]) -> bool {
-    let is_taken = |other: &Part| other.id == part.id || other.is_in(&part.id);
-    let is_new = !before.iter().any(is_taken);
+    let is_new = !before
+        .iter()
+        .any(|other| other.id == part.id || other.is_in(&part.id));
     if !is_new {
         part_twice(reader, &part.id, span);
     }

@@ -212,8 +212,9 @@ fn real(reader: &mut ItemReader<'_>, node: NodeId, text: &Text) -> Option<()> {
 }
 
 pub(crate) fn dimension_of(reader: &ItemReader<'_>, nodes: &[NodeId]) -> Option<Dimension> {
-    let dimension = |node: &NodeId| reader.graph.kind(*node).and_then(Type::dimension);
-    nodes.iter().find_map(dimension)
+    nodes
+        .iter()
+        .find_map(|node| reader.graph.kind(*node).and_then(Type::dimension))
 }
 
 /// The unit in which a name is declared, if it has this dimension; else the coherent unit.

@@ -43,12 +43,13 @@ impl Axis {
     /// The coordinates of a range.
     pub(crate) fn coordinates(&self, name: char, range: [f64; 2]) -> Result<[f64; 2], PlotError> {
         let [from, to] = range;
-        let error = || PlotError::Range {
-            axis: name,
-            from,
-            to,
+        let coordinate = |value| {
+            self.coordinate(value).ok_or_else(|| PlotError::Range {
+                axis: name,
+                from,
+                to,
+            })
         };
-        let coordinate = |value| self.coordinate(value).ok_or_else(error);
         Ok([coordinate(from)?, coordinate(to)?])
     }
 

@@ -115,21 +115,19 @@ pub(crate) fn is_fair_system(
         })
     };
     let largest = due.last().map_or(0.0, |mode| mode.value);
-    let is_near = |(due, found): (&EigenPair, &EigenPair)| {
-        if due.value.abs() <= ZERO * largest {
-            return found.value.abs() <= ZERO * largest;
-        }
-        found.value > 0.0 && has_size(found.value.sqrt(), due.value.sqrt())
-    };
     (0..size).all(|row| couples(own, row) || !couples(right, row))
-        && due.iter().zip(found).all(is_near)
+        && due.iter().zip(found).all(|(due, found)| {
+            if due.value.abs() <= ZERO * largest {
+                return found.value.abs() <= ZERO * largest;
+            }
+            found.value > 0.0 && has_size(found.value.sqrt(), due.value.sqrt())
+        })
 }
 
 /// Whether a quantity is negative for some data of the item and positive for others.
 fn has_any_sign(solution: &Solution<'_>, node: NodeId) -> bool {
-    let drawn =
-        (0..DRAWS).filter_map(|seed| Instance::draw(solution.template(), Seed::new(seed)).ok());
-    let is_negative: Vec<bool> = drawn
+    let is_negative: Vec<bool> = (0..DRAWS)
+        .filter_map(|seed| Instance::draw(solution.template(), Seed::new(seed)).ok())
         .filter_map(|instance| {
             let value = instance
                 .evaluation()

@@ -118,12 +118,11 @@ impl NearbyData {
             .map(|parameter| parameter.name.clone())
             .collect();
         crate::numerics::sort_by(&mut names, Ord::cmp);
-        let is_known = |name: &Name| names.contains(name);
         if formula
             .names()
             .free
             .iter()
-            .any(|free| !is_known(&free.name))
+            .any(|free| !names.contains(&free.name))
         {
             return None;
         }

@@ -103,12 +103,11 @@ impl Matrices {
                 return None;
             }
             let value = right.value / own.value;
-            let agrees = |(right, own): &(&MatrixEntry, &MatrixEntry)| {
-                right.value != 0.0 && is_same(right.value, value * own.value)
-            };
             let formula = right.formula.clone().zip(own.formula.clone());
             Some(Likeness {
-                count: right_count(&self.rows[at], row, agrees),
+                count: right_count(&self.rows[at], row, |(right, own)| {
+                    right.value != 0.0 && is_same(right.value, value * own.value)
+                }),
                 factor: MatrixEntry {
                     value,
                     formula: formula.map(|(right, own)| right / own),

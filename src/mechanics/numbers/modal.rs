@@ -99,13 +99,12 @@ impl Response {
 /// [`Unavailable::Unstable`] if one does not exist, and those of [`Numbers::modes`].
 pub(crate) fn natural_angular_frequencies(numbers: &Numbers) -> Result<Value, Unavailable> {
     let modes = numbers.modes()?;
-    let frequency = |mode| {
-        modes
-            .natural_angular_frequency(mode)
-            .ok_or(Unavailable::Unstable)
-    };
     let frequencies: Vec<_> = (0..modes.count())
-        .map(frequency)
+        .map(|mode| {
+            modes
+                .natural_angular_frequency(mode)
+                .ok_or(Unavailable::Unstable)
+        })
         .collect::<Result<_, _>>()?;
     vector(frequencies)
 }
@@ -186,19 +185,20 @@ pub(crate) fn damping_ratios(numbers: &Numbers) -> Result<Value, Unavailable> {
 pub(crate) fn amplitudes(numbers: &Numbers) -> Result<Value, Unavailable> {
     let modes = numbers.modes()?;
     let states = modal_start(numbers, modes)?.into_iter().enumerate();
-    let row = |(mode, state): (usize, State)| {
-        let frequency = modes
-            .natural_angular_frequency(mode)
-            .ok_or(Unavailable::Unstable)?;
-        // A rigid motion has a velocity in place of the factor of the sine.
-        let sine = if frequency == 0.0 {
-            state.velocity
-        } else {
-            state.velocity / frequency
-        };
-        Ok([state.position, sine])
-    };
-    let rows: Vec<[f64; 2]> = states.map(row).collect::<Result<_, Unavailable>>()?;
+    let rows: Vec<[f64; 2]> = states
+        .map(|(mode, state)| {
+            let frequency = modes
+                .natural_angular_frequency(mode)
+                .ok_or(Unavailable::Unstable)?;
+            // A rigid motion has a velocity in place of the factor of the sine.
+            let sine = if frequency == 0.0 {
+                state.velocity
+            } else {
+                state.velocity / frequency
+            };
+            Ok([state.position, sine])
+        })
+        .collect::<Result<_, Unavailable>>()?;
     matrix(2, rows.into_flattened())
 }
 

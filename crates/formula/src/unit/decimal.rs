@@ -479,17 +479,13 @@ impl Ord for Decimal {
         }
         // Of equal magnitude, so the shorter one can be brought to the length of the longer.
         let exponent = self.exponent().min(other.exponent());
-        let by_digits = || {
+        let by_size = self.magnitude().cmp(&other.magnitude()).then_with(|| {
             digits_at(self.digits(), self.exponent(), exponent).cmp(&digits_at(
                 other.digits(),
                 other.exponent(),
                 exponent,
             ))
-        };
-        let by_size = self
-            .magnitude()
-            .cmp(&other.magnitude())
-            .then_with(by_digits);
+        });
         if self.is_negative() {
             by_size.reverse()
         } else {

@@ -272,11 +272,12 @@ pub(crate) fn bare_symbol(text: &str) -> Option<u8> {
 /// The unit of a word, `kilonewtons`, in any case.
 pub(crate) fn word(text: &str) -> Option<Found> {
     let whole = |text: &str, prefixed: bool| {
-        let named = |row: &UnitRow| {
-            (row.prefixes || !prefixed)
-                && row.words.iter().any(|word| word.eq_ignore_ascii_case(text))
-        };
-        ROWS.iter().position(named).map(|row| row as u8)
+        ROWS.iter()
+            .position(|row| {
+                (row.prefixes || !prefixed)
+                    && row.words.iter().any(|word| word.eq_ignore_ascii_case(text))
+            })
+            .map(|row| row as u8)
     };
     if let Some(row) = whole(text, false) {
         return Some(Found { row, prefix: 0 });

@@ -402,9 +402,10 @@ struct Attachment {
 /// `{}^\circ`, the degree sign of LaTeX.
 fn is_degree(base: &Math, lower: Option<&Attachment>, upper: Option<&Attachment>) -> bool {
     let is_blank = matches!(base, Math::Row(pieces) if pieces.is_empty());
-    let is_ring =
-        |mark: &Attachment| matches!(&mark.math, Math::Operator { text, .. } if text == "∘");
-    is_blank && lower.is_none() && upper.is_some_and(is_ring)
+    is_blank
+        && lower.is_none()
+        && upper
+            .is_some_and(|mark| matches!(&mark.math, Math::Operator { text, .. } if text == "∘"))
 }
 
 /// What stands below joined with what stands above: LaTeX writes one around the other.

@@ -323,6 +323,7 @@ impl Split {
 }
 
 fn transposed(matrix: &[f64], size: usize) -> Vec<f64> {
-    let entry = |at: usize| matrix[at % size * size + at / size];
-    (0..matrix.len()).map(entry).collect()
+    (0..matrix.len())
+        .map(|at| matrix[at % size * size + at / size])
+        .collect()
 }

@@ -159,13 +159,14 @@ fn conformable(
     let mut dimensions = Vec::with_capacity(rows * columns);
     for row in 0..rows {
         for column in 0..columns {
-            let term = |k: usize| {
-                times(
-                    left.entry(row * inner + k),
-                    right.entry(k * columns + column),
-                )
-            };
-            let terms = (0..inner).map(term).collect();
+            let terms = (0..inner)
+                .map(|k| {
+                    times(
+                        left.entry(row * inner + k),
+                        right.entry(k * columns + column),
+                    )
+                })
+                .collect();
             dimensions.push(sum(checker, Joint::Terms("*"), terms, span)?);
         }
     }

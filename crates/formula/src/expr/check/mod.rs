@@ -254,8 +254,7 @@ fn scaled(found: &Type, factor: AnyDimension) -> Type {
 
 /// The first two entries whose dimensions differ.
 fn disagreement(a: &Type, b: &Type) -> Option<(Dimension, Dimension)> {
-    let differ = |(a, b): &(AnyDimension, AnyDimension)| !agree(*a, *b);
-    let (a, b) = a.entries().zip(b.entries()).find(differ)?;
+    let (a, b) = a.entries().zip(b.entries()).find(|(a, b)| !agree(*a, *b))?;
     a.zip(b)
 }
 

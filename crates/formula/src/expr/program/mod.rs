@@ -315,11 +315,12 @@ impl Program {
             let (numbers, bounds) = numbers.unzip();
             Value::new(self.form, numbers, bounds)
         };
-        let is_finite = |value: &Value| value.numbers().iter().all(|number| number.is_finite());
-        value.filter(is_finite).ok_or_else(|| Absence {
-            reason: Undefined::Overflow,
-            span: self.span(),
-        })
+        value
+            .filter(|value| value.numbers().iter().all(|number| number.is_finite()))
+            .ok_or_else(|| Absence {
+                reason: Undefined::Overflow,
+                span: self.span(),
+            })
     }
 
     /// Where the whole formula was written.

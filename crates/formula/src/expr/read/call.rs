@@ -118,16 +118,17 @@ fn at(arguments: Vec<Argument>, span: Span) -> Result<Kind, ReadError> {
     count("at", &arguments, 2, usize::MAX, span)?;
     let mut arguments = arguments.into_iter();
     let body = unnamed(arguments.by_ref().take(1).collect())?.remove(0);
-    let value = |argument: Argument| match argument.name {
-        Some(name) => Ok((name, argument.value)),
-        None => Err(ReadError::NamedArgument {
-            due: true,
-            span: argument.span,
-        }),
-    };
     Ok(Kind::At(
         body,
-        arguments.map(value).collect::<Result<_, _>>()?,
+        arguments
+            .map(|argument| match argument.name {
+                Some(name) => Ok((name, argument.value)),
+                None => Err(ReadError::NamedArgument {
+                    due: true,
+                    span: argument.span,
+                }),
+            })
+            .collect::<Result<_, _>>()?,
     ))
 }
 

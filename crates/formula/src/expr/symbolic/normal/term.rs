@@ -188,11 +188,10 @@ impl Monomial {
 
     /// The power with a whole exponent.
     pub(crate) fn power(&self, exponent: Rational) -> Result<Self, SymbolicError> {
-        let scale = |own: &Rational| fits(own.checked_mul(exponent));
         let factors = self
             .0
             .iter()
-            .map(|(atom, own)| Ok((atom.clone(), scale(own)?)))
+            .map(|(atom, own)| Ok((atom.clone(), fits(own.checked_mul(exponent))?)))
             .collect::<Result<_, SymbolicError>>()?;
         Ok(Self(factors))
     }
