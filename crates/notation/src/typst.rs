@@ -290,11 +290,10 @@ impl TypstWriter<'_> {
     }
 
     fn stack(&mut self, base: &Math, under: Option<&Math>, over: Option<&Math>) {
-        let brace = |mark: Option<&Math>, sign: &str| matches!(mark, Some(Math::Operator { text, .. }) if text == sign);
-        if over.is_none() && brace(under, "⏟") {
+        if over.is_none() && under.is_some_and(|mark| mark.is_sign("⏟")) {
             return self.call("underbrace", &[base]);
         }
-        if under.is_none() && brace(over, "⏞") {
+        if under.is_none() && over.is_some_and(|mark| mark.is_sign("⏞")) {
             return self.call("overbrace", &[base]);
         }
         self.open("attach");
