@@ -466,13 +466,6 @@ fn digits_at(digits: u128, own: i32, wanted: i32) -> Option<u128> {
 
 impl Ord for Decimal {
     fn cmp(&self, other: &Self) -> Ordering {
-        let sign = |number: &Self| {
-            if number.is_zero() {
-                0
-            } else {
-                1 - 2 * i8::from(number.is_negative())
-            }
-        };
         let by_sign = sign(self).cmp(&sign(other));
         if by_sign.is_ne() || self.is_zero() {
             return by_sign;
@@ -491,6 +484,15 @@ impl Ord for Decimal {
         } else {
             by_size
         }
+    }
+}
+
+/// 1, 0 or −1.
+fn sign(number: &Decimal) -> i8 {
+    if number.is_zero() {
+        0
+    } else {
+        1 - 2 * i8::from(number.is_negative())
     }
 }
 

@@ -274,10 +274,12 @@ fn factored(found: &Type, order: usize) -> Result<AnyDimension, (Dimension, Dime
         }
     }
     // A column without known entries is a column of zeros.
-    let product = |factors: Vec<AnyDimension>| {
-        factors
-            .into_iter()
-            .try_fold(Dimension::PURE, |product, factor| Some(product * factor?))
-    };
-    Ok(times(product(row_factors), product(column_factors)))
+    Ok(times(of_product(row_factors), of_product(column_factors)))
+}
+
+/// The dimension of a product, if all its factors have one.
+fn of_product(factors: Vec<AnyDimension>) -> Option<Dimension> {
+    factors
+        .into_iter()
+        .try_fold(Dimension::PURE, |product, factor| Some(product * factor?))
 }

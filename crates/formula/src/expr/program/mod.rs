@@ -214,17 +214,13 @@ impl Program {
     /// Whether it computes numbers, step by step: searches and motions are as good as their methods, which more digits do not
     /// change.
     fn is_explicit(&self) -> bool {
-        let is_step = |step: &ProgramStep| {
-            !matches!(
-                step,
-                ProgramStep::Root(_) | ProgramStep::Integral(_) | ProgramStep::Motion(..)
-            )
-        };
         self.form.field != Field::Boolean
-            && self
-                .code
-                .iter()
-                .all(|instruction| is_step(&instruction.step))
+            && self.code.iter().all(|instruction| {
+                !matches!(
+                    instruction.step,
+                    ProgramStep::Root(_) | ProgramStep::Integral(_) | ProgramStep::Motion(..)
+                )
+            })
             && self
                 .constants
                 .iter()

@@ -428,12 +428,6 @@ pub(crate) fn settle(
     sum: &mut Polynomial,
     work: &mut Work,
 ) -> Result<(), SymbolicError> {
-    let is_settled = |(atom, _): &(Atom, Rational)| {
-        !matches!(
-            atom,
-            Atom::Base(_) | Atom::Constant(Constant::ImaginaryUnit)
-        )
-    };
     if monomial.0.iter().all(is_settled) {
         return sum.insert(monomial, coefficient);
     }
@@ -483,6 +477,14 @@ pub(crate) fn settle(
         sum.insert(monomial, coefficient)?;
     }
     Ok(())
+}
+
+/// Whether a factor of a term is neither a sum nor the imaginary unit.
+fn is_settled((atom, _): &(Atom, Rational)) -> bool {
+    !matches!(
+        atom,
+        Atom::Base(_) | Atom::Constant(Constant::ImaginaryUnit)
+    )
 }
 
 /// The part of an exponent that is multiplied out: all whole powers of a number, so that its root

@@ -428,10 +428,6 @@ fn multiplied(factors: impl IntoIterator<Item = Expr>) -> Expr {
 
 /// A fraction as it is written: `5/6` is a quotient of integers.
 fn fraction(value: Rational) -> Expr {
-    let whole = |value: i128| {
-        let number = Rational::new(value, 1).unwrap_or(Rational::ZERO);
-        Expr::derived(Kind::Number(number))
-    };
     if value.is_integer() {
         return whole(value.numerator());
     }
@@ -440,6 +436,12 @@ fn fraction(value: Rational) -> Expr {
         whole(value.numerator()),
         whole(value.denominator()),
     )
+}
+
+/// An integer as a formula.
+fn whole(value: i128) -> Expr {
+    let number = Rational::new(value, 1).unwrap_or(Rational::ZERO);
+    Expr::derived(Kind::Number(number))
 }
 
 /// A power of an atom with a positive exponent.
