@@ -8,7 +8,7 @@ use std::collections::BTreeSet;
 use std::fs::File;
 use std::path::PathBuf;
 
-use vibank::worksheet::Manifest;
+use vibank::worksheet::{Manifest, VariantEntry};
 
 use self::trace::Person;
 use super::folder::Folder;
@@ -78,6 +78,13 @@ struct Task {
     done: Vec<String>,
     /// Digests of the form for the answers, before and after.
     form: Option<(String, String)>,
+}
+
+/// The sheets of some manifests.
+pub(crate) fn entries(manifests: &[(String, Manifest)]) -> impl Iterator<Item = &VariantEntry> {
+    manifests
+        .iter()
+        .flat_map(|(_, manifest)| &manifest.variants)
 }
 
 /// The manifests of a folder, those of earlier runs among them, by their names.

@@ -232,16 +232,10 @@ fn is_canvas(table: &Table, at: usize) -> bool {
 
 /// Columns whose headings end in the same number, `Question 1`, `Response 1`.
 fn groups(headings: &[String]) -> Option<Vec<Range<usize>>> {
-    let number = |heading: &String| {
-        let name = heading.trim_end_matches(|char: char| char.is_ascii_digit());
-        let is_numbered = name.len() < heading.len() && name.chars().any(char::is_alphabetic);
-        // `Grade/10` is not a question.
-        (is_numbered && !name.ends_with(['/', '.', ','])).then(|| heading[name.len()..].to_owned())
-    };
     let mut groups: Vec<Range<usize>> = Vec::new();
     let mut last = None;
     for (at, heading) in headings.iter().enumerate() {
-        let own = number(heading);
+        let own = number_of(heading);
         match groups.last_mut() {
             Some(group) if own.is_some() && own == last => group.end = at + 1,
             _ if own.is_some() => groups.push(at..at + 1),
@@ -254,6 +248,14 @@ fn groups(headings: &[String]) -> Option<Vec<Range<usize>>> {
             .iter()
             .any(|group| is_one_of(&headings[group.start], RESPONSES));
     (is_report && !groups.is_empty()).then_some(groups)
+}
+
+/// The number of a question at the end of a heading.
+fn number_of(heading: &String) -> Option<String> {
+    let name = heading.trim_end_matches(|char: char| char.is_ascii_digit());
+    let is_numbered = name.len() < heading.len() && name.chars().any(char::is_alphabetic);
+    // `Grade/10` is not a question.
+    (is_numbered && !name.ends_with(['/', '.', ','])).then(|| heading[name.len()..].to_owned())
 }
 
 /// Words of headings of questions and responses, where a report has one column for each.

@@ -371,11 +371,10 @@ impl AttemptSheet<'_> {
             }
             return;
         }
-        let is_marked_there = |kind: &str| matches!(kind, "numeric" | "integer" | "choice");
         let cut = if question
             .parts
             .iter()
-            .all(|part| is_marked_there(&part.kind))
+            .all(|part| matches!(part.kind.as_str(), "numeric" | "integer" | "choice"))
         {
             boxes(text, origin.boxes.len())
         } else {

@@ -56,6 +56,11 @@ impl Dialect {
             .map_err(|error| Failure::new(format!("cannot write CSV: {error}")))
     }
 
+    /// A number to three decimals; nothing where there is none.
+    pub(crate) fn share(self, value: Option<f64>) -> String {
+        value.map_or_else(String::new, |own| self.number(&format!("{own:.3}")))
+    }
+
     /// The first line, after the mark of byte order.
     pub(crate) fn head(self, names: &[&str]) -> Result<Vec<u8>, Failure> {
         let mut head = self.mark().as_bytes().to_vec();

@@ -51,20 +51,24 @@ pub(crate) fn sheet(bytes: &[u8]) -> Result<WorkbookSheet, String> {
     Ok(filled.map(|(_, sheet)| sheet).unwrap_or_default())
 }
 
+/// What is said of an archive.
+fn broken(error: impl std::fmt::Display) -> String {
+    format!("an archive that cannot be read: {error}")
+}
+
 /// Unpacks all files once, and looks the sheets over: what an archive says about sizes need not be true.
 fn check_size(bytes: &[u8]) -> Result<(), String> {
-    let broken = |error: &dyn std::fmt::Display| format!("an archive that cannot be read: {error}");
-    let mut archive = ZipArchive::new(Cursor::new(bytes)).map_err(|error| broken(&error))?;
+    let mut archive = ZipArchive::new(Cursor::new(bytes)).map_err(broken)?;
     if archive.index_for_name("xl/workbook.xml").is_none() {
         return Err("an archive, and no workbook of Excel (.xlsx)".to_owned());
     }
     let mut left = MAX_UNPACKED;
     for place in 0..archive.len() {
-        let file = archive.by_index(place).map_err(|error| broken(&error))?;
-        let name = file.name().map_err(|error| broken(&error))?.into_owned();
+        let file = archive.by_index(place).map_err(broken)?;
+        let name = file.name().map_err(broken)?.into_owned();
         let mut content = Vec::new();
         let read = file.take(left + 1).read_to_end(&mut content);
-        let read = read.map_err(|error| broken(&error))? as u64;
+        let read = read.map_err(broken)? as u64;
         left = left.checked_sub(read).ok_or_else(|| {
             format!(
                 "a workbook of more than {} MiB, unpacked",
