@@ -9,6 +9,7 @@ use super::slip::{mixes_energy_and_moment, slip};
 use super::target::{Target, Typed, pair};
 use super::trial;
 use super::words::{angles, counts, miswritten};
+use crate::answer::naming::Steps;
 use crate::answer::settle::{Candidate, Rule, settle};
 use crate::answer::{
     Answered, Band, Credit, Doubt, Echo, Key, KeyValue, Marker, Marking, Misfit, Mistaken, Note,
@@ -17,7 +18,6 @@ use crate::answer::{
 use crate::expr::{Constant, Expr, Form, Function, Kind, Operator, Shape};
 use crate::math::Math;
 use crate::numerics::Dd;
-use crate::answer::naming::Steps;
 use crate::response::{Passage, has_pi};
 use crate::unit::{Decimal, DecimalMark, Dimension, DimensionMismatch, Quantity, Unit};
 

@@ -381,15 +381,11 @@ fn ordinate_unit(
     written: Option<(Unit, Text)>,
     variable: &Variable,
 ) -> Option<Unit> {
-    let dimension = |reader: &ItemReader<'_>, curve: &Curve| {
-        let kind = reader.graph.kind(curve.y)?;
-        kind.entries().flatten().next()
-    };
     let unit = match &written {
         Some((unit, _)) => *unit,
         None => {
             let (first, text) = curves.first()?;
-            let found = dimension(reader, first);
+            let found = dimension_of_curve(reader, first);
             let name = Name::new(text.value.trim());
             let is_variable = name == variable.name;
             if is_variable {
@@ -400,10 +396,16 @@ fn ordinate_unit(
         }
     };
     for (curve, text) in curves {
-        let found = dimension(reader, curve);
+        let found = dimension_of_curve(reader, curve);
         hold(reader, &unit, found, text);
     }
     Some(unit)
+}
+
+/// The dimension of the values of a curve.
+fn dimension_of_curve(reader: &ItemReader<'_>, curve: &Curve) -> Option<Dimension> {
+    let kind = reader.graph.kind(curve.y)?;
+    kind.entries().flatten().next()
 }
 
 fn ordinate<'s>(

@@ -59,15 +59,18 @@ fn is_shape(solution: &Solution<'_>, node: NodeId) -> bool {
 
 /// Whether a shape has the size of another, whatever its components are; which of them vanish is a slip like others.
 fn is_shape_like(own: &Value, right: &Value) -> bool {
-    let size = |value: &Value| -> f64 {
-        value
-            .numbers()
-            .iter()
-            .map(|number| number * number)
-            .sum::<f64>()
-            .sqrt()
-    };
-    has_size(size(own), size(right)) && own.numbers().iter().filter(|own| **own != 0.0).count() > 1
+    has_size(length(own), length(right))
+        && own.numbers().iter().filter(|own| **own != 0.0).count() > 1
+}
+
+/// The length of a list of numbers.
+fn length(value: &Value) -> f64 {
+    value
+        .numbers()
+        .iter()
+        .map(|number| number * number)
+        .sum::<f64>()
+        .sqrt()
 }
 
 fn has_size(own: f64, right: f64) -> bool {
