@@ -62,8 +62,10 @@ fn in_steps(
     }
     let quota = |weight: &Rational| all.checked_mul(*weight)?.checked_div(total);
     let quotas: Vec<Rational> = weights.iter().map(quota).collect::<Option<_>>()?;
-    let floor = |quota: &Rational| quota.numerator().div_euclid(quota.denominator());
-    let mut counts: Vec<i128> = quotas.iter().map(floor).collect();
+    let mut counts: Vec<i128> = quotas
+        .iter()
+        .map(|quota| quota.numerator().div_euclid(quota.denominator()))
+        .collect();
     let rests: Vec<Rational> = (0..counts.len())
         .map(|at| quotas[at].checked_sub(Rational::new(counts[at], 1)?))
         .collect::<Option<_>>()?;
@@ -78,8 +80,10 @@ fn in_steps(
 
 /// Shares as fractions: of a whole that no step divides.
 fn exact(whole: Rational, weights: &[Rational], total: Option<Rational>) -> Vec<Rational> {
-    let share = |weight: &Rational| whole.checked_mul(*weight)?.checked_div(total?);
-    let shares = weights.iter().map(share).collect::<Option<Vec<_>>>();
+    let shares = weights
+        .iter()
+        .map(|weight| whole.checked_mul(*weight)?.checked_div(total?))
+        .collect::<Option<Vec<_>>>();
     shares.unwrap_or_else(|| weights.to_vec())
 }
 

@@ -88,20 +88,22 @@ fn codes(stated: &[String], manifest: &Manifest) -> Result<BTreeSet<String>, Fai
     if stated.is_empty() {
         return Ok(all().map(str::to_owned).collect());
     }
-    let found = |code: &String| {
-        let shown = code
-            .parse::<Variant>()
-            .map_or_else(|_| code.to_uppercase(), |variant| variant.to_string());
-        if all().any(|own| own == shown) {
-            return Ok(shown);
-        }
-        let failure = Failure::new(format!("the run has no sheet {shown}"));
-        Err(match nearest(&shown, all()) {
-            Some(near) => failure.help(format!("did you mean {near}?")),
-            None => failure.help("write the code that is printed on the sheet"),
+    stated
+        .iter()
+        .map(|code| {
+            let shown = code
+                .parse::<Variant>()
+                .map_or_else(|_| code.to_uppercase(), |variant| variant.to_string());
+            if all().any(|own| own == shown) {
+                return Ok(shown);
+            }
+            let failure = Failure::new(format!("the run has no sheet {shown}"));
+            Err(match nearest(&shown, all()) {
+                Some(near) => failure.help(format!("did you mean {near}?")),
+                None => failure.help("write the code that is printed on the sheet"),
+            })
         })
-    };
-    stated.iter().map(found).collect()
+        .collect()
 }
 
 /// What was written.

@@ -159,10 +159,11 @@ impl Record {
     ) -> Result<Self, Failure> {
         let Origin { plan, shard, .. } = origin;
         let name = shard.named("manifest", "json");
-        let draft = |name: &str| out.go_on(name, mark.left(name));
-        let mut manifest = draft(&name)?;
+        let mut manifest = out.go_on(&name, mark.left(&name))?;
         let makes_form = shard.is_whole() && kept_form.is_none();
-        let mut responses = makes_form.then(|| draft(FORM)).transpose()?;
+        let mut responses = makes_form
+            .then(|| out.go_on(FORM, mark.left(FORM)))
+            .transpose()?;
         let dialect = Dialect::new(plan.blueprint.csv, plan.blueprint.decimal);
         let is_first = mark.done == 0;
         if is_first {

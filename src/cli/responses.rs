@@ -172,19 +172,19 @@ impl FileReading {
 
     /// One part, or one sheet with a key for each part.
     fn object(&mut self, number: usize, object: &Map<String, Json>) {
-        let text = |name: &str| object.get(name).and_then(written);
-        let Some(code) = text("code") else {
+        let Some(code) = object.get("code").and_then(written) else {
             self.faults.push(format!("entry {number} has no `code`"));
             return;
         };
         if object.contains_key("question") {
-            let [question, part] = ["question", "part"].map(|name| text(name).unwrap_or_default());
+            let [question, part] = ["question", "part"]
+                .map(|name| object.get(name).and_then(written).unwrap_or_default());
             let row = Row {
                 line: number,
                 code: &code,
                 question: &question,
                 part: &part,
-                response: &text("response").unwrap_or_default(),
+                response: &object.get("response").and_then(written).unwrap_or_default(),
             };
             return self.add(&row);
         }

@@ -281,8 +281,9 @@ fn joints(elements: &[(&Item, &Part<'_>)]) -> Vec<Joint> {
         };
         let mut ends = [first, last].map(|end| met(elements, end.point, noun));
         crate::numerics::sort_by(&mut ends, |one, other| {
-            let words = |end: &Option<Thing>| end.as_ref().map(Thing::words);
-            words(one).cmp(&words(other))
+            one.as_ref()
+                .map(Thing::words)
+                .cmp(&other.as_ref().map(Thing::words))
         });
         let link = Thing::of(noun, part);
         match joints.iter_mut().find(|known| known.ends == ends) {

@@ -336,6 +336,8 @@ fn share(solution: &Solution<'_>, place: usize, sheet: &Sheet<'_>) -> Option<Cre
     if sheet.asked.iter().any(is_asked_again) {
         return None;
     }
-    let half = || Rational::new(1, 2).and_then(Credit::new);
-    sheet.other_form.or(template.about.other_form).or_else(half)
+    sheet
+        .other_form
+        .or(template.about.other_form)
+        .or_else(|| Rational::new(1, 2).and_then(Credit::new))
 }

@@ -138,8 +138,10 @@ fn question<'c>(
 ) -> SheetQuestion<'c> {
     let parts = asked(planned, &solution);
     let points = points_of(planned, solution.template(), &parts);
-    let space = |place: &usize| planned.space(&solution.template().parts[*place]);
-    let spaces = parts.iter().map(space).collect();
+    let spaces = parts
+        .iter()
+        .map(|place| planned.space(&solution.template().parts[*place]))
+        .collect();
     SheetQuestion {
         number,
         place,

@@ -141,16 +141,18 @@ impl PracticeQuestion {
 impl Weighed {
     /// Some parts of an item, by their places, without those that a person marks.
     fn of(item: &Template, places: &[usize], points: &[Rational]) -> Vec<Self> {
-        let weighed = |(place, points): (&usize, &Rational)| Self {
-            id: item.parts[*place].id.clone(),
-            points: points.to_f64(),
-            varies: item.parts[*place].when.is_some(),
-        };
         // What a person marks is no part of a score.
         let is_marked =
             |(place, _): &(&usize, &Rational)| !item.parts[**place].answer.kind().is_by_hand();
         let parts = places.iter().zip(points);
-        parts.filter(is_marked).map(weighed).collect()
+        parts
+            .filter(is_marked)
+            .map(|(place, points)| Self {
+                id: item.parts[*place].id.clone(),
+                points: points.to_f64(),
+                varies: item.parts[*place].when.is_some(),
+            })
+            .collect()
     }
 }
 

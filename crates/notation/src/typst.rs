@@ -206,9 +206,10 @@ impl TypstWriter<'_> {
     }
 
     fn operator(&mut self, text: &str, class: Class) {
-        let known = |sign| matches!(sign, "=" | "<" | ">" | "≤" | "≥" | "≈" | "≠" | "→");
         let function = match class {
-            Class::Relation if known(text) => None,
+            Class::Relation if matches!(text, "=" | "<" | ">" | "≤" | "≥" | "≈" | "≠" | "→") => {
+                None
+            }
             Class::Punctuation if matches!(text, "," | ";") => None,
             Class::Opening if matches!(text, "(" | "[" | "{") => None,
             Class::Closing if matches!(text, ")" | "]" | "}") => None,

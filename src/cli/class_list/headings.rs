@@ -364,11 +364,12 @@ impl Places {
 
     /// The student of a row; columns that mean nothing here are kept under their headings.
     pub(crate) fn student(&self, headings: &[String], row: &TableRow<'_>) -> Student {
-        let is_used = |at: usize| self.given.iter().any(|(_, places)| places.contains(&at));
         let mut columns: BTreeMap<String, String> = headings
             .iter()
             .enumerate()
-            .filter(|(at, heading)| !is_used(*at) && !heading.is_empty())
+            .filter(|(at, heading)| {
+                !self.given.iter().any(|(_, places)| places.contains(at)) && !heading.is_empty()
+            })
             .map(|(at, heading)| (heading.to_lowercase(), visible(row.cell(at))))
             .collect();
         for (what, places) in &self.given {

@@ -274,8 +274,10 @@ fn sheets<'c>(plan: &Plan<'c>, count: usize) -> Result<Vec<Sheet<'c>>, Failure> 
         }
     }
     let variants: Vec<_> = chooser.taken().collect();
-    let draw = |variant| Sheet::draw(plan, variant, None).map_err(Failure::of);
-    variants.into_iter().map(draw).collect()
+    variants
+        .into_iter()
+        .map(|variant| Sheet::draw(plan, variant, None).map_err(Failure::of))
+        .collect()
 }
 
 fn report(export: &dyn Export, out: &Path, has_essays: bool) {

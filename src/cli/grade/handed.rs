@@ -148,10 +148,12 @@ impl Handed {
         /// What it costs to mark an answer, where a part that nobody answered costs one: on 1000 sheets of 50 parts an
         /// answer took 2.8 times as long as the rest of its part.
         const ANSWER: usize = 3;
-        let cost = |(code, parts): &(String, usize)| {
-            (1 + parts + ANSWER * self.responses.answers(code)) as u64
-        };
-        shard.share_of(&sheets.iter().map(cost).collect::<Vec<_>>())
+        shard.share_of(
+            &sheets
+                .iter()
+                .map(|(code, parts)| (1 + parts + ANSWER * self.responses.answers(code)) as u64)
+                .collect::<Vec<_>>(),
+        )
     }
 
     /// The sheets that are marked.

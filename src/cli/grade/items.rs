@@ -22,18 +22,20 @@ impl<'c> Items<'c> {
         bank: &'c Catalogue,
         prefers_bank: bool,
     ) -> Self {
-        let catalogue = |items: &BTreeMap<String, String>| {
-            let paths: Vec<(String, &String)> = items
-                .iter()
-                .map(|(id, text)| (format!("{id}.toml"), text))
-                .collect();
-            let files = paths
-                .iter()
-                .map(|(path, text)| (path.as_str(), text.as_str()));
-            Catalogue::of_items(files)
-        };
         Self {
-            kept: kept.iter().map(catalogue).collect(),
+            kept: kept
+                .iter()
+                .map(|items| {
+                    let paths: Vec<(String, &String)> = items
+                        .iter()
+                        .map(|(id, text)| (format!("{id}.toml"), text))
+                        .collect();
+                    let files = paths
+                        .iter()
+                        .map(|(path, text)| (path.as_str(), text.as_str()));
+                    Catalogue::of_items(files)
+                })
+                .collect(),
             bank,
             prefers_bank,
         }

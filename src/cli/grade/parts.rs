@@ -104,17 +104,19 @@ impl Parts {
 
     /// What came out for these sheets, which are the next ones.
     pub(crate) fn take(&mut self, sheets: &[VariantEntry]) -> Result<Vec<SheetOutcome>, Failure> {
-        let outcome = |sheet: &VariantEntry| match self.next()? {
-            Some(outcome) if outcome.code == sheet.code => Ok(outcome),
-            found => {
-                let found = found.map_or_else(|| "nothing".to_owned(), |found| found.code);
-                Err(self.broken(&format!(
-                    "has {found} where the sheet {} is due",
-                    sheet.code
-                )))
-            }
-        };
-        sheets.iter().map(outcome).collect()
+        sheets
+            .iter()
+            .map(|sheet| match self.next()? {
+                Some(outcome) if outcome.code == sheet.code => Ok(outcome),
+                found => {
+                    let found = found.map_or_else(|| "nothing".to_owned(), |found| found.code);
+                    Err(self.broken(&format!(
+                        "has {found} where the sheet {} is due",
+                        sheet.code
+                    )))
+                }
+            })
+            .collect()
     }
 
     /// All sheets are taken: nothing may be left.

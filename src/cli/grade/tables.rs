@@ -315,10 +315,9 @@ fn is_worth(rules: &Marks) -> bool {
 
 /// The points of a part; with a question mark those that are not decided.
 fn part_points(part: &PartOutcome, dialect: Dialect) -> String {
-    let points = |points| dialect.number(&grade::rounded(points));
     if part.is_undecided() {
-        format!("?{}", points(part.max.0))
+        format!("?{}", dialect.number(&grade::rounded(part.max.0)))
     } else {
-        points(part.points.0)
+        dialect.number(&grade::rounded(part.points.0))
     }
 }

@@ -48,10 +48,12 @@ pub(crate) fn line(sheet: &Sheet<'_>, language: Language) -> String {
 
 /// The workbook of these lines.
 pub(crate) fn bound(lines: &str) -> Result<Vec<u8>, Failure> {
-    let broken = |error: serde_json::Error| Failure::new(format!("a draft of the run: {error}"));
     let rows: Vec<KeyRowCells> = lines
         .lines()
-        .map(|line| serde_json::from_str(line).map_err(broken))
+        .map(|line| {
+            serde_json::from_str(line)
+                .map_err(|error| Failure::new(format!("a draft of the run: {error}")))
+        })
         .collect::<Result<_, _>>()?;
     // Sheets may ask different parts: in the order in which they come.
     let mut parts: Vec<&str> = Vec::new();

@@ -151,19 +151,21 @@ impl Job<'_, '_> {
         gave_way: &BTreeSet<u64>,
         bar: &ProgressBar,
     ) -> Result<Vec<Page>, Failure> {
-        let write = |place: usize| {
-            let student = self
-                .students
-                .get(place)
-                .filter(|_| !self.has_pseudonyms)
-                .cloned();
-            let sheet = Sheet::draw(self.plan, variants[place], student);
-            let sheet = sheet.map_err(|error| refuse(&error))?;
-            let page = self.page(&sheet, place, gave_way.contains(&(place as u64)))?;
-            bar.inc(1);
-            Ok(page)
-        };
-        places.into_par_iter().map(write).collect()
+        places
+            .into_par_iter()
+            .map(|place| {
+                let student = self
+                    .students
+                    .get(place)
+                    .filter(|_| !self.has_pseudonyms)
+                    .cloned();
+                let sheet = Sheet::draw(self.plan, variants[place], student);
+                let sheet = sheet.map_err(|error| refuse(&error))?;
+                let page = self.page(&sheet, place, gave_way.contains(&(place as u64)))?;
+                bar.inc(1);
+                Ok(page)
+            })
+            .collect()
     }
 
     fn page(&self, sheet: &Sheet<'_>, place: usize, gave_way: bool) -> Result<Page, Failure> {

@@ -522,11 +522,13 @@ impl RunSummary {
 /// The folder to write to.
 fn out(arguments: &Arguments) -> PathBuf {
     let name = || arguments.blueprint.file_stem().unwrap_or("sheet".as_ref());
-    let usual = || match arguments.make_up[..] {
-        [] => name().into(),
-        _ => make_up::folder(&arguments.blueprint),
-    };
-    arguments.out.clone().unwrap_or_else(usual)
+    arguments
+        .out
+        .clone()
+        .unwrap_or_else(|| match arguments.make_up[..] {
+            [] => name().into(),
+            _ => make_up::folder(&arguments.blueprint),
+        })
 }
 
 /// The students of the class list of a blueprint, which stands in its folder; none without a list.

@@ -73,39 +73,41 @@ impl<'f> Outputs<'f> {
         shard: Shard,
         mark: &RunMark,
     ) -> Result<Self, Failure> {
-        let open = |format: &'f Format| {
-            let laid = match format {
-                Format::Json(_) => {
-                    let name = shard.named("sheets", "jsonl");
-                    return Ok(Files::Json(Stream::open(out, name, "", mark)?));
-                }
-                Format::Workbook(language) => {
-                    let name = shard.named("key-table", XLSX);
-                    let open = || Stream::open(out, name, "", mark);
-                    return Ok(Files::Workbook(language.map(|_| open()).transpose()?));
-                }
-                Format::Pages(laid) => laid,
-            };
-            let stream = |(kind, begin): &(PageKind, String)| {
-                let name = shard.named(kind.folder(), laid.extension());
-                (!laid.is_split)
-                    .then(|| Stream::open(out, name, begin, mark))
-                    .transpose()
-            };
-            let table = laid.table.as_ref().map(|begin| {
-                let name = shard.named("key-table", laid.extension());
-                // What a press prints is bound in pieces, each with its own beginning.
-                let is_bound = laid.pages.writer().is_bound();
-                Stream::open(out, name, if is_bound { "" } else { begin }, mark)
-            });
-            Ok(Files::Pages {
-                laid,
-                streams: laid.kinds.iter().map(stream).collect::<Result<_, _>>()?,
-                table: table.transpose()?,
-            })
-        };
         Ok(Self {
-            formats: formats.iter().map(open).collect::<Result<_, _>>()?,
+            formats: formats
+                .iter()
+                .map(|format| {
+                    let laid = match format {
+                        Format::Json(_) => {
+                            let name = shard.named("sheets", "jsonl");
+                            return Ok(Files::Json(Stream::open(out, name, "", mark)?));
+                        }
+                        Format::Workbook(language) => {
+                            let name = shard.named("key-table", XLSX);
+                            let open = || Stream::open(out, name, "", mark);
+                            return Ok(Files::Workbook(language.map(|_| open()).transpose()?));
+                        }
+                        Format::Pages(laid) => laid,
+                    };
+                    let stream = |(kind, begin): &(PageKind, String)| {
+                        let name = shard.named(kind.folder(), laid.extension());
+                        (!laid.is_split)
+                            .then(|| Stream::open(out, name, begin, mark))
+                            .transpose()
+                    };
+                    let table = laid.table.as_ref().map(|begin| {
+                        let name = shard.named("key-table", laid.extension());
+                        // What a press prints is bound in pieces, each with its own beginning.
+                        let is_bound = laid.pages.writer().is_bound();
+                        Stream::open(out, name, if is_bound { "" } else { begin }, mark)
+                    });
+                    Ok(Files::Pages {
+                        laid,
+                        streams: laid.kinds.iter().map(stream).collect::<Result<_, _>>()?,
+                        table: table.transpose()?,
+                    })
+                })
+                .collect::<Result<_, _>>()?,
         })
     }
 

@@ -71,8 +71,9 @@ impl Dialect {
 
 /// A cell that a spreadsheet would take for a formula gets an apostrophe in front, unless it is a number.
 fn guarded(field: &str) -> Cow<'_, [u8]> {
-    let is_number = || field.replacen(',', ".", 1).parse::<f64>().is_ok();
-    if field.starts_with(['=', '+', '-', '@', '\t', '\r']) && !is_number() {
+    if field.starts_with(['=', '+', '-', '@', '\t', '\r'])
+        && field.replacen(',', ".", 1).parse::<f64>().is_err()
+    {
         format!("'{field}").into_bytes().into()
     } else {
         field.as_bytes().into()

@@ -3,7 +3,6 @@
 use super::answers::Own;
 use super::matrices::Matrices;
 use crate::answer::AnswerKind;
-use crate::bank::Parameter;
 use crate::expr::{Shape, Value};
 use crate::instance::Instance;
 use crate::numerics::EigenPair;
@@ -262,6 +261,8 @@ fn elasticity(solution: &Solution<'_>, key: NodeId, value: f64, input: NodeId) -
 
 fn parameters<'s>(solution: &'s Solution<'_>) -> impl Iterator<Item = NodeId> + use<'s> {
     let template = solution.template();
-    let node = |parameter: &'s Parameter| template.graph.find(&parameter.name);
-    template.parameters.iter().filter_map(node)
+    template
+        .parameters
+        .iter()
+        .filter_map(|parameter| template.graph.find(&parameter.name))
 }

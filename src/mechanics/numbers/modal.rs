@@ -115,8 +115,7 @@ pub(crate) fn natural_angular_frequencies(numbers: &Numbers) -> Result<Value, Un
 ///
 /// Those of [`Numbers::modes`].
 pub(crate) fn multiplicities(numbers: &Numbers) -> Result<Value, Unavailable> {
-    let modes = numbers.modes()?;
-    let clusters = modes.clusters(SAME_FREQUENCY);
+    let clusters = numbers.modes()?.clusters(SAME_FREQUENCY);
     let counts = clusters
         .into_iter()
         .flat_map(|own| vec![own.len() as f64; own.len()]);
@@ -144,16 +143,19 @@ pub(crate) fn mode_shapes(numbers: &Numbers) -> Result<Value, Unavailable> {
 /// Those of [`Numbers::modes`].
 pub(crate) fn masses(numbers: &Numbers) -> Result<Value, Unavailable> {
     let modes = numbers.modes()?;
-    let mass = |mode| {
-        let shape = modes.mode_shape(mode);
-        let largest = shape
-            .iter()
-            .fold(0.0, |largest: f64, own| largest.max(own.abs()));
-        // A node that rounding has moved off zero must not become the unit of the shape.
-        let first = shape.iter().find(|own| own.abs() > 1e-12 * largest);
-        first.map_or(f64::NAN, |first| 1.0 / (first * first))
-    };
-    vector((0..modes.count()).map(mass).collect())
+    vector(
+        (0..modes.count())
+            .map(|mode| {
+                let shape = modes.mode_shape(mode);
+                let largest = shape
+                    .iter()
+                    .fold(0.0, |largest: f64, own| largest.max(own.abs()));
+                // A node that rounding has moved off zero must not become the unit of the shape.
+                let first = shape.iter().find(|own| own.abs() > 1e-12 * largest);
+                first.map_or(f64::NAN, |first| 1.0 / (first * first))
+            })
+            .collect(),
+    )
 }
 
 /// The damping ratios of the modes.

@@ -331,9 +331,11 @@ impl Unit {
     pub fn times(&self, other: &Self) -> Option<Self> {
         let mut merged = Builder::new();
         for &factor in self.factors().iter().chain(other.factors()) {
-            let same =
-                |known: &&mut Factor| (known.row, known.prefix) == (factor.row, factor.prefix);
-            match merged.since(0).iter_mut().find(same) {
+            match merged
+                .since(0)
+                .iter_mut()
+                .find(|known| (known.row, known.prefix) == (factor.row, factor.prefix))
+            {
                 Some(known) => known.power = known.power.checked_add(factor.power)?,
                 None => merged.push(factor).ok()?,
             }

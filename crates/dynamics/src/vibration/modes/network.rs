@@ -232,8 +232,10 @@ fn take_rayleigh_quotients(masses: &[f64], springs: &[Link], solution: &mut Moda
 
 /// The quotients of systems so small that none of them takes much.
 fn few_quotients(masses: &[f64], springs: &[Link], vectors: &[f64]) -> Vec<f64> {
-    let root = |m: &f64| factor::root_of_ratio(*m, masses[0]);
-    let roots: Vec<f64> = masses.iter().map(root).collect();
+    let roots: Vec<f64> = masses
+        .iter()
+        .map(|m| factor::root_of_ratio(*m, masses[0]))
+        .collect();
     let shapes = vectors.chunks_exact(masses.len());
     shapes
         .map(|weighted| {

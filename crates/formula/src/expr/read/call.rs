@@ -103,14 +103,16 @@ fn count(
 
 /// The values of arguments that may bear no name.
 fn unnamed(arguments: Vec<Argument>) -> Result<Vec<Expr>, ReadError> {
-    let value = |argument: Argument| match argument.name {
-        None => Ok(argument.value),
-        Some(_) => Err(ReadError::NamedArgument {
-            due: false,
-            span: argument.span,
-        }),
-    };
-    arguments.into_iter().map(value).collect()
+    arguments
+        .into_iter()
+        .map(|argument| match argument.name {
+            None => Ok(argument.value),
+            Some(_) => Err(ReadError::NamedArgument {
+                due: false,
+                span: argument.span,
+            }),
+        })
+        .collect()
 }
 
 /// `at(f, x = a, …)`.

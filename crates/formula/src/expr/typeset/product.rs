@@ -206,8 +206,9 @@ fn hoisted(above: &[ProductPart], below: &[ProductPart]) -> (Vec<ProductPart>, V
     if rest.is_empty() || !is_number_fraction(first) {
         return unchanged();
     }
-    let is_one = |part: &ProductPart| matches!(part, ProductPart::Factor(expr) if expr.is_one());
-    let upper = upper.iter().filter(|part| !is_one(part));
+    let upper = upper
+        .iter()
+        .filter(|part| !matches!(part, ProductPart::Factor(expr) if expr.is_one()));
     (
         upper.chain(rest).cloned().collect(),
         lower.iter().chain(below).cloned().collect(),

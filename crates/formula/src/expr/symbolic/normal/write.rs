@@ -181,8 +181,10 @@ fn rank(part: &Monomial, order: &Order) -> Rank {
             let index = order.moving_index(&variable.name)?;
             return Some((Reverse(Some(variable.order)), index));
         }
-        let inside = |name: &Name| atom.mentions(&BTreeSet::from([name.clone()]));
-        let index = order.moving.iter().position(inside)?;
+        let index = order
+            .moving
+            .iter()
+            .position(|name| atom.mentions(&BTreeSet::from([name.clone()])))?;
         Some((Reverse(Some(0)), index))
     };
     let highest = part.0.iter().filter_map(height).min();
@@ -463,15 +465,17 @@ fn atom_expr(atom: &Atom, writer: &NormalWriter<'_>) -> Expr {
         Atom::Variable(variable) => variable.to_expr(),
         Atom::Call(function, arguments) => {
             let is_even = matches!(function, Function::Cos | Function::Cosh | Function::Abs);
-            let argument = |own: &Inner| {
-                // The cosine of an angle is that of its opposite, of which one begins without a sign.
-                if is_even && begins_with_sign(&writer.inner(own)) {
-                    let opposite = (**own).clone().negated();
-                    return unsigned(&opposite, collected_sum(&opposite, writer), writer);
-                }
-                bracket(own)
-            };
-            let arguments: Vec<_> = arguments.iter().map(argument).collect();
+            let arguments: Vec<_> = arguments
+                .iter()
+                .map(|own| {
+                    // The cosine of an angle is that of its opposite, of which one begins without a sign.
+                    if is_even && begins_with_sign(&writer.inner(own)) {
+                        let opposite = (**own).clone().negated();
+                        return unsigned(&opposite, collected_sum(&opposite, writer), writer);
+                    }
+                    bracket(own)
+                })
+                .collect();
             Expr::call(*function, arguments)
         }
         Atom::Base(base) => bracket(base),
