@@ -148,8 +148,7 @@ impl BankArgument {
     }
 
     fn index(&self, found: &BankFiles) -> Option<Index> {
-        let mut texts = found.texts.iter();
-        let bank = texts.find(|(path, _)| path == "bank.toml");
+        let bank = found.texts.iter().find(|(path, _)| path == "bank.toml");
         (!self.no_index)
             .then(|| Index::of(&found.folder, bank.map_or("", |(_, text)| text)))
             .flatten()

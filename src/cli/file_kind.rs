@@ -151,8 +151,7 @@ pub(crate) fn not_an_item(wanted: &str) -> Option<Failure> {
     let path = of_run(PathBuf::from(wanted));
     let shown = path.display();
     let kind = FileKind::of_file(&path)?;
-    let failure = Failure::new(format!("`{shown}` is {}, not an item", kind.words()));
-    Some(failure.help(match kind {
+    Some(Failure::new(format!("`{shown}` is {}, not an item", kind.words())).help(match kind {
         FileKind::Manifest => {
             format!("`vibank show CODE --manifest {shown}` shows the sheet of a code")
         }

@@ -267,8 +267,7 @@ impl Draft {
     pub(crate) fn write(&mut self, piece: &[u8]) -> Result<(), Failure> {
         self.digest.update(piece);
         self.length += piece.len() as u64;
-        let file = self.open();
-        file.write_all(piece).map_err(unwritable(&self.path))
+        self.open().write_all(piece).map_err(unwritable(&self.path))
     }
 
     /// How many bytes were written.
@@ -278,8 +277,7 @@ impl Draft {
 
     /// Hands everything to the system; what a later run would go on with.
     pub(crate) fn flush(&mut self) -> Result<Left, Failure> {
-        let flushed = self.open().flush();
-        flushed.map_err(unwritable(&self.path))?;
+        self.open().flush().map_err(unwritable(&self.path))?;
         let draft = self.draft.file_name().unwrap_or_default();
         Ok(Left {
             length: self.length,
@@ -303,13 +301,12 @@ impl Draft {
     /// Moves the file to its place; its digest is returned.
     pub(crate) fn finish(mut self) -> Result<String, Failure> {
         let file = self.file.take().expect("a draft is finished once");
-        let done = file
-            .into_inner()
+        file.into_inner()
             .map_err(io::IntoInnerError::into_error)
             // On the disk before the name points to it: a crash in between must not leave an empty file under
             // a good name.
-            .and_then(|file| file.sync_data());
-        done.and_then(|()| fs::rename(&self.draft, &self.path))
+            .and_then(|file| file.sync_data())
+            .and_then(|()| fs::rename(&self.draft, &self.path))
             .map_err(unwritable(&self.path))?;
         Ok(files::hexadecimal(self.digest.clone()))
     }

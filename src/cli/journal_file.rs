@@ -20,8 +20,7 @@ pub(crate) struct JournalFile {
 impl JournalFile {
     /// The journal of this name; `None` where another run has it.
     pub(crate) fn claim(folder: &Folder, name: String) -> Result<Option<Self>, Failure> {
-        let claimed = folder.claim(&name)?;
-        Ok(claimed.map(|file| Self {
+        Ok(folder.claim(&name)?.map(|file| Self {
             folder: folder.clone(),
             name,
             file: BufWriter::new(file),
@@ -73,8 +72,7 @@ impl JournalFile {
 
     /// Waits until what was appended is on the disk.
     pub(crate) fn sync(&self) -> Result<(), Failure> {
-        let synced = self.file.get_ref().sync_data();
-        synced.map_err(self.unwritable())
+        self.file.get_ref().sync_data().map_err(self.unwritable())
     }
 
     /// Removes it: the run is complete.
@@ -100,8 +98,7 @@ impl JournalFile {
 
     fn reader(&self) -> Result<BufReader<&File>, Failure> {
         let mut file = self.file.get_ref();
-        let begun = file.seek(SeekFrom::Start(0));
-        begun.map_err(self.unwritable())?;
+        file.seek(SeekFrom::Start(0)).map_err(self.unwritable())?;
         Ok(BufReader::new(file))
     }
 

@@ -103,8 +103,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
 
 fn page(offered: &Offered) -> Result<Vec<u8>, Failure> {
     let page = vibank::output::practice(&offered.practice, &offered.items);
-    let page = page.map_err(Failure::of)?;
-    Ok(page.into_bytes())
+    Ok(page.map_err(Failure::of)?.into_bytes())
 }
 
 fn package(offered: &Offered, version: Version) -> Result<Vec<u8>, Failure> {

@@ -56,8 +56,7 @@ fn worked(solution: &Solution<'_>, piece: &Piece, key: NodeId) -> Option<Value> 
     if !forms.into_iter().any(is_worked) {
         return None;
     }
-    let nodes = shown_in(solution.template(), own);
-    let rounded = nodes
+    let rounded = shown_in(solution.template(), own)
         .into_iter()
         .filter_map(|node| Some((node, as_printed(solution, node)?)));
     let evaluation = solution.evaluation().replacing(rounded.collect());
@@ -74,15 +73,14 @@ fn written(solution: &Solution<'_>, piece: &Piece, key: NodeId) -> Option<Value>
         }
         _ => false,
     };
-    let displays = piece
+    piece
         .document
         .blocks()
         .iter()
         .filter_map(|block| match block {
             Block::Display(math) => Some(math),
             _ => None,
-        });
-    displays
+        })
         .filter_map(|math| {
             let sides = sides(math);
             let place = sides.iter().rposition(|side| is_key(side))?;

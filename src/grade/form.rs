@@ -205,8 +205,7 @@ impl Forms<'_> {
         }
         let letters = |side: &FormedSide<'_>| {
             let read = side.other.reading.as_ref();
-            let formula = read.and_then(|reading| reading.answered.formula());
-            formula
+            read.and_then(|reading| reading.answered.formula())
                 .filter(|own| !own.names().free.is_empty())
                 .or_else(|| self.naming.letters(side.typed))
         };

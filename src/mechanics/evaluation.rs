@@ -150,8 +150,7 @@ fn compiled_squares(energies: &Energies) -> Option<Compiled> {
             return None;
         }
     }
-    let squares = squares(&energies.potential, &energies.coordinates)?;
-    let entries = squares
+    let entries = squares(&energies.potential, &energies.coordinates)?
         .into_iter()
         .flat_map(|own| std::iter::once(own.factor).chain(own.row));
     let entries: Vec<_> = entries.collect();

@@ -81,10 +81,7 @@ pub fn textbook_body(
 ) -> Result<String, (usize, TextbookError)> {
     let chapters = chapters.iter().enumerate();
     let chapters = chapters
-        .map(|(place, text)| {
-            let chapter = chapter(pages, text, catalogue);
-            chapter.map_err(|error| (place, error))
-        })
+        .map(|(place, text)| chapter(pages, text, catalogue).map_err(|error| (place, error)))
         .collect::<Result<_, _>>()?;
     let content = CoursePage {
         run: &pages.run,

@@ -51,10 +51,9 @@ const MARKS: usize = 13;
 
 /// Columns of the table of marks in type of a size in points, where it is not the usual one of 10.5.
 fn columns(size: Option<u8>) -> usize {
-    let large = size
-        .filter(|size| *size > 10)
-        .map_or(MARKS, |size| MARKS * 21 / (2 * usize::from(size)));
-    large.clamp(3, MARKS)
+    size.filter(|size| *size > 10)
+        .map_or(MARKS, |size| MARKS * 21 / (2 * usize::from(size)))
+        .clamp(3, MARKS)
 }
 
 #[derive(Default, Serialize)]

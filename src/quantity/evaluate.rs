@@ -144,8 +144,7 @@ impl<'g> Evaluation<'g> {
     ///
     /// As [`Self::value`]; what is not a real number has no value either.
     pub fn real(&self, id: NodeId) -> Result<f64, Absent> {
-        let value = self.value(id)?;
-        value
+        self.value(id)?
             .as_real()
             .ok_or_else(|| self.undefined(id, Undefined::NotReal))
     }

@@ -269,10 +269,9 @@ impl Graph {
     /// The quantities on which a node depends, itself left out.
     pub fn steps(&self, id: NodeId) -> Vec<NodeId> {
         let names = self.reach(id).iter();
-        let nodes = names
+        names
             .filter_map(|name| self.find(name))
-            .filter(|step| *step != id);
-        nodes
+            .filter(|step| *step != id)
             .filter(|step| matches!(self.node(*step).role, NodeRole::Quantity(_)))
             .collect()
     }

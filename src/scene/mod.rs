@@ -213,11 +213,10 @@ impl<'s, 't> Scene<'s, 't> {
     /// The given data as one printed list, for sheets whose statement shows symbols alone.
     pub fn values(&self) -> Vec<(Math, Math)> {
         let template = self.solution.template();
-        let pairs = template
+        template
             .parameters
             .iter()
-            .zip(self.solution.instance().values());
-        pairs
+            .zip(self.solution.instance().values())
             .map(|(parameter, value)| {
                 (
                     Math::clone(&parameter.symbol),

@@ -20,8 +20,7 @@ const LAST_LINES: usize = 2;
 const MAX_POINTS: usize = 500;
 
 pub(crate) fn filling(scene: &Scene<'_, '_>, path: &Path) -> Filling {
-    let evaluation = scene.solution.evaluation();
-    let Some(turns) = evaluation.turning_points(path, MAX_POINTS) else {
+    let Some(turns) = scene.solution.evaluation().turning_points(path, MAX_POINTS) else {
         return Filling::Steps(Vec::new());
     };
     let digits = u32::from(scene.solution.template().about.digits);

@@ -298,8 +298,7 @@ fn points<'s>(reader: &mut ItemReader<'s>, table: &Table<'s>) -> Rational {
 #[cfg(feature = "render")]
 fn space<'s>(reader: &mut ItemReader<'s>, table: &Table<'s>) -> Option<Space> {
     let text = table.text("space")?;
-    let space = Space::read(&text.value);
-    space
+    Space::read(&text.value)
         .map_err(|error| reader.find(&ItemError::Space(error), &text))
         .ok()
 }

@@ -404,8 +404,7 @@ fn ordinate_unit(
 
 /// The dimension of the values of a curve.
 fn dimension_of_curve(reader: &ItemReader<'_>, curve: &Curve) -> Option<Dimension> {
-    let kind = reader.graph.kind(curve.y)?;
-    kind.entries().flatten().next()
+    reader.graph.kind(curve.y)?.entries().flatten().next()
 }
 
 fn ordinate<'s>(

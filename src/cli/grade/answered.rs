@@ -79,8 +79,7 @@ pub(crate) fn parts<'q>(
         .iter()
         .map(place)
         .collect::<Result<Vec<_>, _>>()?;
-    let parts = question.parts.iter().zip(places);
-    let answered = parts.map(|(entry, place)| {
+    let answered = question.parts.iter().zip(places).map(|(entry, place)| {
         let at = Place {
             code: code.to_owned(),
             question: question.number,

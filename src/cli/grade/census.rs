@@ -113,12 +113,11 @@ impl<'c> Census<'c> {
     /// Notes what decisions may name of a question.
     fn note(&mut self, question: &QuestionEntry) {
         let item = question.item.to_string();
-        let asked = self
-            .handed_out
+        self.handed_out
             .questions
             .entry(question.number)
-            .or_default();
-        asked.insert(item.clone());
+            .or_default()
+            .insert(item.clone());
         let parts = question.parts.iter();
         let parts = parts.map(|part| (part.id.clone(), part.letter.clone()));
         let together = self.handed_out.parts.entry(item).or_default();

@@ -413,12 +413,11 @@ impl AttemptSheet<'_> {
             },
         };
         for part in &question.parts {
-            let own = origin
+            let given: Vec<String> = origin
                 .boxes
                 .iter()
                 .zip(&answers)
-                .filter(|(asked, _)| asked.letter == part.letter);
-            let given: Vec<String> = own
+                .filter(|(asked, _)| asked.letter == part.letter)
                 .map(|(asked, text)| match part.kind.as_str() {
                     "numeric" | "integer" if is_boxed => with_unit(text, &part.unit, asked.power),
                     "choice" => option(template, part, text),

@@ -109,8 +109,7 @@ impl Made {
 
     /// The page of this name.
     pub(crate) fn pane(&self, name: &str) -> Option<&str> {
-        let mut panes = self.panes.iter();
-        let (_, text) = panes.find(|(kind, _)| kind.name() == name)?;
+        let (_, text) = self.panes.iter().find(|(kind, _)| kind.name() == name)?;
         Some(text)
     }
 

@@ -110,8 +110,7 @@ fn is_filled_in(out: &Folder, held: Option<&Held>) -> Result<bool, Failure> {
     let Some(column) = column else {
         return Ok(true);
     };
-    let mut rows = reader.records();
-    Ok(rows.any(|row| {
+    Ok(reader.records().any(|row| {
         row.is_err()
             || row.is_ok_and(|row| row.get(column).is_some_and(|cell| !cell.trim().is_empty()))
     }))

@@ -216,8 +216,7 @@ impl Job<'_, '_> {
 
     /// What is made for the printer, where it is wanted and all sheets are there.
     fn prints(&self, variants: &[Variant]) -> Result<Prints, Failure> {
-        let print = self.plan.blueprint.print.as_ref();
-        let Some(printing) = print.filter(|_| self.is_whole) else {
+        let Some(printing) = self.plan.blueprint.print.as_ref().filter(|_| self.is_whole) else {
             return Ok(Prints::default());
         };
         let job = PrintJob {

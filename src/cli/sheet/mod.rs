@@ -269,8 +269,7 @@ impl SheetRun<'_, '_> {
         catalogue: &vibank::bank::Catalogue,
     ) -> Result<Option<(String, &'static str)>, Failure> {
         let wants = |student: &Student| {
-            let mut columns = student.columns.iter();
-            columns.any(|(name, value)| {
+            student.columns.iter().any(|(name, value)| {
                 name.eq_ignore_ascii_case("format") && value.trim().eq_ignore_ascii_case("screen")
             })
         };

@@ -60,8 +60,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
                 .help("name another folder with `--out`"),
         );
     }
-    let reader = Reader::find()?;
-    let readings = reader.read(&scans)?;
+    let readings = Reader::find()?.read(&scans)?;
     let mut sorted = Sorted::default();
     for (scan, reading) in scans.iter().zip(readings) {
         sorted.take(scan, reading, names.as_ref());
@@ -96,8 +95,7 @@ fn scans(given: &[PathBuf]) -> Result<Vec<PathBuf>, Failure> {
     let mut scans = Vec::new();
     for path in given {
         if path.is_dir() {
-            let folder = Folder::at(path);
-            let images = folder.names("").into_iter().filter(|name| {
+            let images = Folder::at(path).names("").into_iter().filter(|name| {
                 let name = name.to_lowercase();
                 [".png", ".jpg", ".jpeg"]
                     .iter()

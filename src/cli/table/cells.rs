@@ -154,8 +154,7 @@ impl<'t> Cursor<'t> {
 
     /// A line cut at each delimiter, whatever its quotes are.
     fn pieces(&self, line: &'t str) -> Vec<Cow<'t, str>> {
-        let cells = line.split(char::from(self.delimiter));
-        cells
+        line.split(char::from(self.delimiter))
             .map(|cell| Cow::Borrowed(cell.trim().trim_matches('"').trim()))
             .collect()
     }

@@ -48,8 +48,7 @@ impl<'r, 'a, 's> FreeReader<'r, 'a, 's> {
     /// The free-body diagrams; `rows` are the elements as they are written.
     pub(crate) fn diagrams(mut self, rows: &[Value]) -> Free {
         self.hold_identities(rows);
-        let table = self.figure.table;
-        let Some(outer) = table.table("free") else {
+        let Some(outer) = self.figure.table.table("free") else {
             return Free { bodies: Vec::new() };
         };
         let acting = self.figure.item.bodies();

@@ -85,11 +85,10 @@ impl Matrices {
     pub(crate) fn formulas(&self) -> Option<[Vec<Expr>; 3]> {
         let size = self.size();
         let block = |block: usize| {
-            let own = self
-                .rows
+            self.rows
                 .iter()
-                .flat_map(|row| &row[block * size..(block + 1) * size]);
-            own.map(|entry| entry.formula.clone())
+                .flat_map(|row| &row[block * size..(block + 1) * size])
+                .map(|entry| entry.formula.clone())
                 .collect::<Option<Vec<_>>>()
         };
         Some([block(0)?, block(1)?, block(2)?])

@@ -243,11 +243,10 @@ impl Unit {
         for factor in self.factors() {
             let parts = Self::parse(self.coherent_name(*factor)).unwrap_or(Self::ONE);
             let start = coherent.len();
-            let pushed = parts
+            if parts
                 .factors()
                 .iter()
-                .try_for_each(|part| coherent.push(*part));
-            if pushed
+                .try_for_each(|part| coherent.push(*part))
                 .and_then(|()| coherent.raise(start, factor.power))
                 .is_err()
             {
@@ -284,11 +283,9 @@ impl Unit {
     /// assert_eq!(Unit::parse("m/s").unwrap().angles(), Some(Rational::ZERO));
     /// ```
     pub fn angles(&self) -> Option<Rational> {
-        let turning = self
-            .factors()
+        self.factors()
             .iter()
-            .filter(|factor| factor.row().turning != Turning::None);
-        turning
+            .filter(|factor| factor.row().turning != Turning::None)
             .map(|factor| factor.power)
             .try_fold(Rational::ZERO, Rational::checked_add)
     }

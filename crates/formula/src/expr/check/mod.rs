@@ -181,8 +181,7 @@ impl<'a> TypeChecker<'a> {
                 span: inner.span(),
             });
         }
-        let found = self.numbers(inner)?;
-        Some(found.map(|dimension| {
+        Some(self.numbers(inner)?.map(|dimension| {
             (0..order).fold(dimension, |dimension, _| dimension / Dimension::TIME)
         }))
     }

@@ -242,8 +242,7 @@ impl Scalar for HyperDual {
             Function::Min => Ok(if u <= v { *self } else { *other }),
             Function::Max => Ok(if u >= v { *self } else { *other }),
             Function::Mod => {
-                let quotient = self.divide(other)?;
-                let whole = quotient.unary(Function::Floor, doubt)?;
+                let whole = self.divide(other)?.unary(Function::Floor, doubt)?;
                 Ok(self.subtract(&other.multiply(&whole)))
             }
             Function::Hypot => {

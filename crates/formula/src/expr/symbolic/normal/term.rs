@@ -152,8 +152,7 @@ impl Monomial {
 
     /// What comparing its atoms may take: each may be looked into down to its end.
     fn depths(&self) -> u64 {
-        let depths = self.0.iter().map(|(atom, _)| u64::from(atom.depth()));
-        depths.sum()
+        self.0.iter().map(|(atom, _)| u64::from(atom.depth())).sum()
     }
 
     /// The exponent of an atom, 0 where it does not stand.

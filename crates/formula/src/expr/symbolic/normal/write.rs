@@ -216,8 +216,7 @@ fn collected(group: &Polynomial, part: &Monomial, writer: &NormalWriter<'_>) -> 
         rest = rest.negated();
         is_negative = !is_negative;
     }
-    let terms = sorted_terms(&rest, order);
-    let first = terms
+    let first = sorted_terms(&rest, order)
         .first()
         .map(|(monomial, _)| sorted_factors(monomial, order));
     let place = first.and_then(|factors| factors.into_iter().next());
