@@ -342,13 +342,12 @@ impl Catalogue {
 
     /// The identity that is nearest to a mistyped one; the slug alone is enough.
     pub fn nearest(&self, id: &str) -> Option<&str> {
-        let ids = || self.ids().map(ItemId::as_str);
-        let by_slug = ids().find(|known| {
+        let by_slug = self.ids().map(ItemId::as_str).find(|known| {
             known
                 .split_once('/')
                 .is_some_and(|(_, slug)| slug == id || slug.starts_with(id))
         });
-        by_slug.or_else(|| nearest(id, ids()))
+        by_slug.or_else(|| nearest(id, self.ids().map(ItemId::as_str)))
     }
 
     /// A digest over the identities and revisions of all items.

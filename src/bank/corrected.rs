@@ -209,13 +209,6 @@ fn choose(table: &mut Entries, right: &[String]) {
         let is_right = text(option, "id").is_some_and(|id| right.iter().any(|own| own == id));
         set(option, "right", Data::Boolean(is_right));
     }
-    let place = |value: &Value| {
-        let Data::Table(option) = &value.data else {
-            return usize::MAX;
-        };
-        let id = text(option, "id").unwrap_or_default();
-        right.iter().position(|own| own == id).unwrap_or(usize::MAX)
-    };
     let is_ranking = table
         .iter()
         .any(|entry| entry.key == "ranking" && entry.value.data == Data::Boolean(true));
@@ -223,7 +216,13 @@ fn choose(table: &mut Entries, right: &[String]) {
     if let Some(Data::List(list)) = options.map(|entry| &mut entry.value.data)
         && is_ranking
     {
-        list.sort_by_key(place);
+        list.sort_by_key(|value| {
+            let Data::Table(option) = &value.data else {
+                return usize::MAX;
+            };
+            let id = text(option, "id").unwrap_or_default();
+            right.iter().position(|own| own == id).unwrap_or(usize::MAX)
+        });
     }
 }
 

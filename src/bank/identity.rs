@@ -34,13 +34,6 @@ impl ItemId {
     pub fn of_path(path: &str) -> Option<Self> {
         let stem = path.strip_suffix(".toml")?;
         let (chapter, slug) = stem.split_once('/')?;
-        let is_word = |word: &str| {
-            !word.is_empty()
-                && word.len() <= 80
-                && word
-                    .bytes()
-                    .all(|byte| byte.is_ascii_lowercase() || byte.is_ascii_digit() || byte == b'-')
-        };
         (is_word(chapter) && is_word(slug)).then(|| Self(stem.into()))
     }
 
@@ -63,6 +56,15 @@ impl ItemId {
     pub fn as_str(&self) -> &str {
         &self.0
     }
+}
+
+/// Whether a word may stand in an identity.
+fn is_word(word: &str) -> bool {
+    !word.is_empty()
+        && word.len() <= 80
+        && word
+            .bytes()
+            .all(|byte| byte.is_ascii_lowercase() || byte.is_ascii_digit() || byte == b'-')
 }
 
 impl Revision {

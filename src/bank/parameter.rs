@@ -265,11 +265,10 @@ impl Parameter {
 }
 
 fn mismatch(name: &Name, expected: &Unit, found: &Unit) -> ParameterError {
-    let say = |unit: &Unit| unit.dimension().describe();
     ParameterError::Dimension {
         name: name.clone(),
-        expected: say(expected),
-        found: say(found),
+        expected: expected.dimension().describe(),
+        found: found.dimension().describe(),
     }
 }
 

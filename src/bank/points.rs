@@ -42,8 +42,7 @@ pub fn share_in_group(whole: Rational, weights: &[Rational]) -> Vec<Rational> {
     /// Parts of a point that people still add up in their heads.
     const FINEST: i128 = 20;
     let shares = exact(whole, weights, Rational::sum(weights));
-    let is_plain = |share: &Rational| FINEST % share.denominator() == 0;
-    if shares.iter().all(is_plain) {
+    if shares.iter().all(|share| FINEST % share.denominator() == 0) {
         shares
     } else {
         share_out(whole, weights)
@@ -63,10 +62,13 @@ fn in_steps(
     }
     let quota = |weight: &Rational| all.checked_mul(*weight)?.checked_div(total);
     let quotas: Vec<Rational> = weights.iter().map(quota).collect::<Option<_>>()?;
-    let floor = |quota: &Rational| quota.numerator().div_euclid(quota.denominator());
-    let mut counts: Vec<i128> = quotas.iter().map(floor).collect();
-    let rest = |at: usize| quotas[at].checked_sub(Rational::new(counts[at], 1)?);
-    let rests: Vec<Rational> = (0..counts.len()).map(rest).collect::<Option<_>>()?;
+    let mut counts: Vec<i128> = quotas
+        .iter()
+        .map(|quota| quota.numerator().div_euclid(quota.denominator()))
+        .collect();
+    let rests: Vec<Rational> = (0..counts.len())
+        .map(|at| quotas[at].checked_sub(Rational::new(counts[at], 1)?))
+        .collect::<Option<_>>()?;
     // Remainders are small fractions of one denominator, which doubles keep apart.
     let order = ascending(counts.len(), &|part| -rests[part].to_f64());
     let left = all.numerator() - counts.iter().sum::<i128>();
@@ -78,8 +80,10 @@ fn in_steps(
 
 /// Shares as fractions: of a whole that no step divides.
 fn exact(whole: Rational, weights: &[Rational], total: Option<Rational>) -> Vec<Rational> {
-    let share = |weight: &Rational| whole.checked_mul(*weight)?.checked_div(total?);
-    let shares = weights.iter().map(share).collect::<Option<Vec<_>>>();
+    let shares = weights
+        .iter()
+        .map(|weight| whole.checked_mul(*weight)?.checked_div(total?))
+        .collect::<Option<Vec<_>>>();
     shares.unwrap_or_else(|| weights.to_vec())
 }
 

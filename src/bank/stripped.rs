@@ -94,18 +94,19 @@ impl Stripping<'_> {
 
     /// The data, each one of its unit.
     fn data(&self) -> Vec<(String, String)> {
-        let stated = entry(self.file, "parameters")
+        entry(self.file, "parameters")
             .map(table)
-            .unwrap_or_default();
-        let of = |own: &Entry| {
-            let (_, parameter) = self.item.parameter(&own.key)?;
-            let mut keys = vec![("value", quoted(&amount(&parameter.unit)))];
-            if let Some(symbol) = text(table(&own.value), "symbol") {
-                keys.push(("symbol", quoted(symbol)));
-            }
-            Some((own.key.clone(), inline(&keys)))
-        };
-        stated.iter().filter_map(of).collect()
+            .unwrap_or_default()
+            .iter()
+            .filter_map(|own| {
+                let (_, parameter) = self.item.parameter(&own.key)?;
+                let mut keys = vec![("value", quoted(&amount(&parameter.unit)))];
+                if let Some(symbol) = text(table(&own.value), "symbol") {
+                    keys.push(("symbol", quoted(symbol)));
+                }
+                Some((own.key.clone(), inline(&keys)))
+            })
+            .collect()
     }
 
     /// A quantity as a constant of its form and dimension, or as a function of the same names.

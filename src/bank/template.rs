@@ -257,8 +257,7 @@ impl Template {
     /// # }
     /// ```
     pub fn place(&self, id: &str) -> Option<usize> {
-        let mut parts = self.parts.iter();
-        parts.position(|part| part.has_id(id))
+        self.parts.iter().position(|part| part.has_id(id))
     }
 
     /// What a list of parts may name: parts, and groups of blanks.
@@ -327,8 +326,7 @@ impl Template {
         let asked = others.flat_map(|(_, part)| part.answer.keys());
         let asked: Vec<NodeId> = asked.flat_map(|key| self.listed(key)).collect();
         let is_hidden = |node| self.info(node).is_none_or(|info| info.units.is_none());
-        let datum = |node| self.datum(node);
-        Method::all(&self.graph, key, &asked, is_hidden, datum)
+        Method::all(&self.graph, key, &asked, is_hidden, |node| self.datum(node))
     }
 
     /// A key, and the quantities that it lists.
@@ -388,11 +386,10 @@ impl Template {
 
     /// How many instances the grids of the parameters allow; saturates.
     pub fn instances(&self) -> u64 {
-        let counts = self
-            .parameters
+        self.parameters
             .iter()
-            .filter_map(|parameter| parameter.grid.map(|grid| grid.count()));
-        counts.fold(1, u64::saturating_mul)
+            .filter_map(|parameter| parameter.grid.map(|grid| grid.count()))
+            .fold(1, u64::saturating_mul)
     }
 
     /// The expected working time in minutes.

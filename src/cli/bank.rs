@@ -98,8 +98,7 @@ impl BankArgument {
         };
         let items = found.items.iter().map(|(id, _)| format!("{id}.toml"));
         let others = found.texts.iter().map(|(path, _)| path.clone());
-        let files = items.chain(others).map(|path| folder.join(path));
-        let mut all: Vec<PathBuf> = files.collect();
+        let mut all: Vec<PathBuf> = items.chain(others).map(|path| folder.join(path)).collect();
         let folders: BTreeSet<PathBuf> = all
             .iter()
             .filter_map(|file| file.parent().map(Path::to_owned))
@@ -113,8 +112,10 @@ impl BankArgument {
     pub(crate) fn name_in_help(&self, findings: &mut [Finding]) {
         let Some(folder) = &self.bank else { return };
         let folder = folder.display().to_string();
-        let is_plain = |sign: char| sign.is_alphanumeric() || "/\\._-:".contains(sign);
-        let folder = if folder.chars().all(is_plain) {
+        let folder = if folder
+            .chars()
+            .all(|sign| sign.is_alphanumeric() || "/\\._-:".contains(sign))
+        {
             folder
         } else {
             format!("'{folder}'")
@@ -147,8 +148,7 @@ impl BankArgument {
     }
 
     fn index(&self, found: &BankFiles) -> Option<Index> {
-        let mut texts = found.texts.iter();
-        let bank = texts.find(|(path, _)| path == "bank.toml");
+        let bank = found.texts.iter().find(|(path, _)| path == "bank.toml");
         (!self.no_index)
             .then(|| Index::of(&found.folder, bank.map_or("", |(_, text)| text)))
             .flatten()
@@ -266,13 +266,10 @@ impl BankFiles {
     fn collect(&mut self, folder: &Path, inside: &str) -> Result<(), Failure> {
         // Each takes some hundred bytes of memory.
         const MAX_FILES: usize = 100_000;
-        let fail = |error: std::io::Error| {
-            Failure::new(format!("cannot read `{}`: {error}", folder.display()))
-        };
         let mut entries = std::fs::read_dir(folder)
-            .map_err(fail)?
+            .map_err(files::unreadable(folder))?
             .collect::<Result<Vec<_>, _>>()
-            .map_err(fail)?;
+            .map_err(files::unreadable(folder))?;
         entries.sort_by_cached_key(std::fs::DirEntry::file_name);
         for entry in entries {
             let name = entry.file_name().to_string_lossy().into_owned();
@@ -281,7 +278,7 @@ impl BankFiles {
             } else {
                 format!("{inside}/{name}")
             };
-            let kind = entry.file_type().map_err(fail)?;
+            let kind = entry.file_type().map_err(files::unreadable(folder))?;
             if kind.is_dir() && !name.starts_with('.') && path.matches('/').count() < 3 {
                 self.collect(&entry.path(), &path)?;
             } else if kind.is_file() && name.ends_with(".toml") {

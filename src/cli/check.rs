@@ -98,16 +98,16 @@ impl Wanted {
 
     /// Whether a file of the bank is to be looked over.
     fn wants(&self, path: &str) -> bool {
-        let wanted = |item: &String| {
-            let name = inside(item);
-            let name = name.trim_end_matches(".toml");
-            if self.exact.iter().any(|exact| exact == name) {
-                path.strip_suffix(".toml") == Some(name)
-            } else {
-                path.contains(name)
-            }
-        };
-        self.is_all || self.items.iter().any(wanted)
+        self.is_all
+            || self.items.iter().any(|item| {
+                let name = inside(item);
+                let name = name.trim_end_matches(".toml");
+                if self.exact.iter().any(|exact| exact == name) {
+                    path.strip_suffix(".toml") == Some(name)
+                } else {
+                    path.contains(name)
+                }
+            })
     }
 
     /// The bank with the files that are named added to it, of which the items that are wanted are read, and what is wrong

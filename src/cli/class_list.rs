@@ -13,7 +13,7 @@ use vibank::worksheet::{Columns, Student};
 use self::headings::HeadingError;
 pub(crate) use self::headings::Places;
 use super::Failure;
-use super::table::{RowFault, Table, TableRow};
+use super::table::{RowFault, Table};
 
 /// The students of a class list, in its order.
 pub(crate) fn read(path: &Path, columns: &Columns) -> Result<Vec<Student>, Failure> {
@@ -42,8 +42,7 @@ pub(crate) fn read(path: &Path, columns: &Columns) -> Result<Vec<Student>, Failu
     let mut seen = BTreeMap::new();
     let mut notes = notes::Notes::default();
     let headings = table.headings.len();
-    let begins_row = |row: &TableRow<'_>| row.cells.len() == headings && headings > 1;
-    for row in table.rows(&begins_row) {
+    for row in table.rows(&|row| row.cells.len() == headings && headings > 1) {
         let row = row.map_err(|broken| refuse(&fail, &broken.fault))?;
         let line = row.line;
         let mut used = places.columns();
@@ -126,9 +125,10 @@ fn is_rounded(id: &str) -> bool {
     let Some((number, exponent)) = id.split_once("E+") else {
         return false;
     };
-    let is_number = |char: char| char.is_ascii_digit() || matches!(char, '.' | ',');
     number.starts_with(|char: char| char.is_ascii_digit())
-        && number.chars().all(is_number)
+        && number
+            .chars()
+            .all(|char| char.is_ascii_digit() || matches!(char, '.' | ','))
         && exponent.len() == 2
         && exponent.bytes().all(|byte| byte.is_ascii_digit())
 }

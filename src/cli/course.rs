@@ -64,17 +64,16 @@ fn text(
     catalogue: &bank::Catalogue,
     paper: Paper,
 ) -> Result<String, Failure> {
-    let fail = |error: &dyn std::error::Error| Failure::new(error.to_string());
     let writer = output::writer("pdf").ok_or_else(|| Failure::new("there is no format `pdf`"))?;
     let run = Run::plain(TITLE, "en", '.').with_paper(paper);
-    let pages = Pages::new(writer, run, &[]).map_err(|error| fail(&error))?;
+    let pages = Pages::new(writer, run, &[]).map_err(Failure::of)?;
     let texts: Vec<&str> = chapters.iter().map(|(_, text)| *text).collect();
     let body = output::textbook_body(&pages, &texts, catalogue);
     let body = body.map_err(|(place, error)| {
         let name = chapters.get(place).map_or("", |(name, _)| name);
         Failure::new(format!("`{name}`, {error}"))
     })?;
-    let begin = pages.begin("").map_err(|error| fail(&error))?;
-    let end = pages.end().map_err(|error| fail(&error))?;
+    let begin = pages.begin("").map_err(Failure::of)?;
+    let end = pages.end().map_err(Failure::of)?;
     Ok(format!("{begin}{body}{end}"))
 }

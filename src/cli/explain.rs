@@ -21,8 +21,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         }
         return Ok(Outcome::Done);
     };
-    let code = Code::of_name(name).ok_or_else(|| unknown(name))?;
-    let page = code.page();
+    let page = Code::of_name(name).ok_or_else(|| unknown(name))?.page();
     println!("{}\n\n{}\n\n{}", page.code, page.title, page.text);
     Ok(Outcome::Done)
 }

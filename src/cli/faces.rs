@@ -144,13 +144,15 @@ fn printed(student: &Student) -> [&str; 6] {
 
 /// The signs of a name that the press has no letters for; blanks and marks without a shape need none.
 fn wanting(name: &str) -> impl Iterator<Item = char> {
-    let has_no_shape = |sign: char| {
-        sign.is_whitespace()
-            || sign.is_control()
-            || matches!(sign, '\u{200b}'..='\u{200f}' | '\u{2060}'..='\u{2064}' | '\u{fe00}'..='\u{fe0f}')
-    };
     name.chars()
         .filter(move |sign| !has_sign(*sign) && !has_no_shape(*sign))
+}
+
+/// Whether a sign has no shape: a space, a control, or one that joins or directs others.
+fn has_no_shape(sign: char) -> bool {
+    sign.is_whitespace()
+        || sign.is_control()
+        || matches!(sign, '\u{200b}'..='\u{200f}' | '\u{2060}'..='\u{2064}' | '\u{fe00}'..='\u{fe0f}')
 }
 
 /// Upright fonts of normal weight that have some of the signs, best first.

@@ -32,6 +32,11 @@ impl Failure {
         }
     }
 
+    /// What an error of the library says.
+    pub(crate) fn of(error: impl fmt::Display) -> Self {
+        Self::new(error.to_string())
+    }
+
     /// A format that nothing is written in; beside those of pages there may be others.
     pub(crate) fn unknown_format(name: &str, others: &[&str]) -> Self {
         let pages = vibank::output::WRITERS.iter().map(|writer| writer.name());

@@ -42,10 +42,9 @@ impl FileKind {
         if beginning.starts_with('<') {
             return Some(Self::Page);
         }
-        let is_statement = |line: &str| line.starts_with('[') || line.contains('=');
         let mut lines = beginning.lines().map(str::trim);
         let first = lines.find(|line| !line.is_empty() && !line.starts_with('#'))?;
-        if is_statement(first) {
+        if first.starts_with('[') || first.contains('=') {
             return beginning
                 .contains("[[question]]")
                 .then_some(Self::Blueprint);
@@ -152,8 +151,7 @@ pub(crate) fn not_an_item(wanted: &str) -> Option<Failure> {
     let path = of_run(PathBuf::from(wanted));
     let shown = path.display();
     let kind = FileKind::of_file(&path)?;
-    let failure = Failure::new(format!("`{shown}` is {}, not an item", kind.words()));
-    Some(failure.help(match kind {
+    Some(Failure::new(format!("`{shown}` is {}, not an item", kind.words())).help(match kind {
         FileKind::Manifest => {
             format!("`vibank show CODE --manifest {shown}` shows the sheet of a code")
         }

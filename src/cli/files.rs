@@ -34,12 +34,12 @@ pub(crate) fn read(path: &Path) -> Result<String, Failure> {
 
 /// The bytes of a file.
 pub(crate) fn read_bytes(path: &Path) -> Result<Vec<u8>, Failure> {
-    let fail =
-        |error: io::Error| Failure::new(format!("cannot read `{}`: {error}", path.display()));
     let file = open(path)?;
     let mut bytes = Vec::new();
     // One byte more tells a file that is too large from one that fits exactly.
-    file.take(LIMIT + 1).read_to_end(&mut bytes).map_err(fail)?;
+    file.take(LIMIT + 1)
+        .read_to_end(&mut bytes)
+        .map_err(unreadable(path))?;
     if bytes.len() as u64 > LIMIT {
         return Err(Failure::new(format!(
             "`{}` is larger than {} MiB",
@@ -52,9 +52,7 @@ pub(crate) fn read_bytes(path: &Path) -> Result<Vec<u8>, Failure> {
 
 /// Opens a file to be read: a pipe or a device has no end to wait for, and a folder no bytes.
 pub(crate) fn open(path: &Path) -> Result<fs::File, Failure> {
-    let fail =
-        |error: io::Error| Failure::new(format!("cannot read `{}`: {error}", path.display()));
-    let kind = fs::metadata(path).map_err(fail)?.file_type();
+    let kind = fs::metadata(path).map_err(unreadable(path))?.file_type();
     if !kind.is_file() {
         let (what, help) = if kind.is_dir() {
             ("a folder", "give a file in it")
@@ -67,7 +65,7 @@ pub(crate) fn open(path: &Path) -> Result<fs::File, Failure> {
         let shown = path.display();
         return Err(Failure::new(format!("`{shown}` is {what}, not a file")).help(help));
     }
-    fs::File::open(path).map_err(fail)
+    fs::File::open(path).map_err(unreadable(path))
 }
 
 /// Who may read a file that is written.
@@ -82,7 +80,6 @@ pub(crate) enum Access {
 /// Writes a file so that it is there whole or not at all; its folder is made. A pipe or a device, such as `/dev/null`,
 /// takes the bytes and stays what it is.
 pub(crate) fn write(path: &Path, content: &[u8], access: Access) -> Result<(), Failure> {
-    let fail = |error: io::Error| unwritable(path, &error);
     match fs::metadata(path) {
         Ok(there) if there.is_dir() => {
             let failure = Failure::new(format!("`{}` is a folder, not a file", path.display()));
@@ -92,16 +89,16 @@ pub(crate) fn write(path: &Path, content: &[u8], access: Access) -> Result<(), F
             let file = fs::OpenOptions::new().write(true).open(path);
             return file
                 .and_then(|mut file| file.write_all(content))
-                .map_err(fail);
+                .map_err(unwritable(path));
         }
         _ => {}
     }
     let folder = folder_of(path);
-    fs::create_dir_all(folder).map_err(fail)?;
-    let draft = whole_draft(folder, &file_name(path), content, access).map_err(fail)?;
+    fs::create_dir_all(folder).map_err(unwritable(path))?;
+    let draft = whole_draft(folder, &file_name(path), content, access).map_err(unwritable(path))?;
     draft
         .persist(path)
-        .map_err(|error| unwritable(path, &error.error))?;
+        .map_err(|error| unwritable(path)(error.error))?;
     Ok(())
 }
 
@@ -109,14 +106,13 @@ pub(crate) fn write(path: &Path, content: &[u8], access: Access) -> Result<(), F
 ///
 /// One that somebody has written in the meantime stays as it is: of two secrets the first may be in use.
 pub(crate) fn write_new(path: &Path, content: &[u8], access: Access) -> Result<(), Failure> {
-    let fail = |error: io::Error| unwritable(path, &error);
     let folder = folder_of(path);
-    fs::create_dir_all(folder).map_err(fail)?;
-    let draft = whole_draft(folder, &file_name(path), content, access).map_err(fail)?;
+    fs::create_dir_all(folder).map_err(unwritable(path))?;
+    let draft = whole_draft(folder, &file_name(path), content, access).map_err(unwritable(path))?;
     match draft.persist_noclobber(path) {
         Ok(_) => Ok(()),
         Err(error) if error.error.kind() == io::ErrorKind::AlreadyExists => Err(exists(path)),
-        Err(error) => Err(fail(error.error)),
+        Err(error) => Err(unwritable(path)(error.error)),
     }
 }
 
@@ -272,7 +268,7 @@ pub(crate) fn digest(bytes: &[u8]) -> String {
 pub(crate) fn digest_of(path: &Path) -> Result<String, Failure> {
     hash(&mut open(path)?)
         .map(hexadecimal)
-        .map_err(|error| Failure::new(format!("cannot read `{}`: {error}", path.display())))
+        .map_err(unreadable(path))
 }
 
 /// The digits of a hash.
@@ -283,20 +279,28 @@ pub(crate) fn hexadecimal(hash: Sha256) -> String {
         .collect()
 }
 
-/// A failure to write a file.
-pub(crate) fn unwritable(path: &Path, error: &io::Error) -> Failure {
-    let shown = path.display();
-    let fail = |why: &str| Failure::new(format!("cannot write `{shown}`: {why}"));
-    match error.kind() {
-        io::ErrorKind::PermissionDenied => {
-            fail("you may not write there").help("choose a folder of your own")
-        }
-        io::ErrorKind::ReadOnlyFilesystem => {
-            fail("nothing can be written there").help("choose a folder of your own")
-        }
-        io::ErrorKind::StorageFull | io::ErrorKind::QuotaExceeded => {
-            fail("there is no room left").help("make room, and give the same command again")
-        }
-        _ => fail(&error.to_string()),
+/// The failure that comes of an error in writing a file.
+pub(crate) fn unwritable(path: &Path) -> impl Fn(io::Error) -> Failure {
+    move |error| {
+        let (why, help) = match error.kind() {
+            io::ErrorKind::PermissionDenied => {
+                ("you may not write there", "choose a folder of your own")
+            }
+            io::ErrorKind::ReadOnlyFilesystem => (
+                "nothing can be written there",
+                "choose a folder of your own",
+            ),
+            io::ErrorKind::StorageFull | io::ErrorKind::QuotaExceeded => (
+                "there is no room left",
+                "make room, and give the same command again",
+            ),
+            _ => return Failure::new(format!("cannot write `{}`: {error}", path.display())),
+        };
+        Failure::new(format!("cannot write `{}`: {why}", path.display())).help(help)
     }
+}
+
+/// The failure that comes of an error in reading a file or a folder.
+pub(crate) fn unreadable(path: &Path) -> impl Fn(io::Error) -> Failure {
+    move |error| Failure::new(format!("cannot read `{}`: {error}", path.display()))
 }

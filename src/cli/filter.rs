@@ -56,10 +56,9 @@ impl Filter {
 
     /// Whether an item passes.
     pub(crate) fn wants(&self, item: &Listing) -> bool {
-        let is_wanted = |(_, wanted, found): (&str, Option<&String>, Vec<&str>)| {
-            wanted.is_none_or(|wanted| has(&found, wanted))
-        };
-        self.marks(item).into_iter().all(is_wanted)
+        self.marks(item)
+            .into_iter()
+            .all(|(_, wanted, found)| wanted.is_none_or(|wanted| has(&found, wanted)))
             && self.level.is_none_or(|level| level == item.level)
     }
 

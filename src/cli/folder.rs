@@ -48,7 +48,7 @@ impl Folder {
     /// Makes the folder if it is not there.
     pub(crate) fn make(&self) -> Result<(), Failure> {
         self.hold()?;
-        make_private(&self.root).map_err(|error| unwritable(&self.root, &error))
+        make_private(&self.root).map_err(unwritable(&self.root))
     }
 
     /// Refuses a file in place of the folder, before there is something to write.
@@ -96,14 +96,15 @@ impl Folder {
     /// Begins a file. Dropped before it is finished it leaves nothing behind.
     pub(crate) fn begin(&self, name: &str) -> Result<Draft, Failure> {
         let path = self.path(name)?;
-        let fail = |error: io::Error| unwritable(&path, &error);
         let folder = path.parent().unwrap_or(&self.root);
-        make_private(folder).map_err(fail)?;
+        make_private(folder).map_err(unwritable(&path))?;
         let own = path.file_name().unwrap_or_default().to_string_lossy();
-        let draft = files::new_draft(folder, &own, Access::Private).map_err(fail)?;
+        let draft = files::new_draft(folder, &own, Access::Private).map_err(unwritable(&path))?;
         // Kept under its own name: whether it is removed is for the drop to say, as an interrupted run may go
         // on with it.
-        let (file, draft) = draft.keep().map_err(|error| fail(error.error))?;
+        let (file, draft) = draft
+            .keep()
+            .map_err(|error| unwritable(&path)(error.error))?;
         Ok(Draft {
             path,
             draft,
@@ -124,17 +125,16 @@ impl Folder {
             return Ok(draft);
         };
         let path = self.path(name)?;
-        let fail = |error: io::Error| unwritable(&path, &error);
-        let draft = self
-            .left(name, left)
-            .ok_or_else(|| fail(io::Error::other("what an interrupted run has left is gone")))?;
-        let mut file = open_own(&draft).map_err(fail)?;
+        let draft = self.left(name, left).ok_or_else(|| {
+            unwritable(&path)(io::Error::other("what an interrupted run has left is gone"))
+        })?;
+        let mut file = open_own(&draft).map_err(unwritable(&path))?;
         files::claim(&file);
         // What was written after the last note in the ledger may be half a sheet.
-        file.set_len(left.length).map_err(fail)?;
+        file.set_len(left.length).map_err(unwritable(&path))?;
         // The state of a hash is nowhere kept, so that what is there is read once more.
-        let digest = files::hash(&mut file).map_err(fail)?;
-        file.seek(SeekFrom::End(0)).map_err(fail)?;
+        let digest = files::hash(&mut file).map_err(unwritable(&path))?;
+        file.seek(SeekFrom::End(0)).map_err(unwritable(&path))?;
         Ok(Draft {
             path,
             draft,
@@ -199,12 +199,11 @@ impl Folder {
     /// Moves a file or a folder to another name, which must be free.
     pub(crate) fn rename(&self, from: &str, to: &str) -> Result<(), Failure> {
         let (from, to) = (self.path(from)?, self.path(to)?);
-        let fail = |error: io::Error| unwritable(&to, &error);
         if fs::symlink_metadata(&to).is_ok() {
-            return Err(fail(io::ErrorKind::AlreadyExists.into()));
+            return Err(unwritable(&to)(io::ErrorKind::AlreadyExists.into()));
         }
-        make_private(to.parent().unwrap_or(&self.root)).map_err(fail)?;
-        fs::rename(&from, &to).map_err(fail)
+        make_private(to.parent().unwrap_or(&self.root)).map_err(unwritable(&to))?;
+        fs::rename(&from, &to).map_err(unwritable(&to))
     }
 
     /// The names of what stands in one of its folders, `""` for itself, in order.
@@ -246,7 +245,7 @@ impl Folder {
     pub(crate) fn claim(&self, name: &str) -> Result<Option<fs::File>, Failure> {
         let path = self.path(name)?;
         let opened = make_private(&self.root).and_then(|()| own(&path));
-        let file = opened.map_err(|error| unwritable(&path, &error))?;
+        let file = opened.map_err(unwritable(&path))?;
         // The system gives a lock back when its process ends, however that ends: nothing is left to clean up.
         Ok(file.try_lock().is_ok().then_some(file))
     }
@@ -268,9 +267,7 @@ impl Draft {
     pub(crate) fn write(&mut self, piece: &[u8]) -> Result<(), Failure> {
         self.digest.update(piece);
         self.length += piece.len() as u64;
-        let file = self.open();
-        file.write_all(piece)
-            .map_err(|error| unwritable(&self.path, &error))
+        self.open().write_all(piece).map_err(unwritable(&self.path))
     }
 
     /// How many bytes were written.
@@ -280,8 +277,7 @@ impl Draft {
 
     /// Hands everything to the system; what a later run would go on with.
     pub(crate) fn flush(&mut self) -> Result<Left, Failure> {
-        let flushed = self.open().flush();
-        flushed.map_err(|error| unwritable(&self.path, &error))?;
+        self.open().flush().map_err(unwritable(&self.path))?;
         let draft = self.draft.file_name().unwrap_or_default();
         Ok(Left {
             length: self.length,
@@ -305,14 +301,13 @@ impl Draft {
     /// Moves the file to its place; its digest is returned.
     pub(crate) fn finish(mut self) -> Result<String, Failure> {
         let file = self.file.take().expect("a draft is finished once");
-        let done = file
-            .into_inner()
+        file.into_inner()
             .map_err(io::IntoInnerError::into_error)
             // On the disk before the name points to it: a crash in between must not leave an empty file under
             // a good name.
-            .and_then(|file| file.sync_data());
-        done.and_then(|()| fs::rename(&self.draft, &self.path))
-            .map_err(|error| unwritable(&self.path, &error))?;
+            .and_then(|file| file.sync_data())
+            .and_then(|()| fs::rename(&self.draft, &self.path))
+            .map_err(unwritable(&self.path))?;
         Ok(files::hexadecimal(self.digest.clone()))
     }
 }
@@ -330,7 +325,7 @@ impl Drop for Draft {
 pub(crate) fn is_plain(name: &str) -> bool {
     /// Longest name of a file on the usual systems, less what a draft adds.
     const MAX_LENGTH: usize = 200;
-    let is_step = |step: &str| {
+    name.split('/').all(|step| {
         !matches!(step, "" | "." | "..")
             && step.len() <= MAX_LENGTH
             // What Windows does not take in names is refused everywhere, so that a manifest serves on any
@@ -338,8 +333,7 @@ pub(crate) fn is_plain(name: &str) -> bool {
             && !step.contains(|char: char| char.is_control() || "\\:*?\"<>|".contains(char))
             // Windows drops these, and two names would be one file.
             && !step.ends_with(['.', ' '])
-    };
-    name.split('/').all(is_step)
+    })
 }
 
 /// Makes a folder with those that it stands in: its owner's alone where the system knows that.

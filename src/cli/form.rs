@@ -88,20 +88,22 @@ fn codes(stated: &[String], manifest: &Manifest) -> Result<BTreeSet<String>, Fai
     if stated.is_empty() {
         return Ok(all().map(str::to_owned).collect());
     }
-    let found = |code: &String| {
-        let shown = code
-            .parse::<Variant>()
-            .map_or_else(|_| code.to_uppercase(), |variant| variant.to_string());
-        if all().any(|own| own == shown) {
-            return Ok(shown);
-        }
-        let failure = Failure::new(format!("the run has no sheet {shown}"));
-        Err(match nearest(&shown, all()) {
-            Some(near) => failure.help(format!("did you mean {near}?")),
-            None => failure.help("write the code that is printed on the sheet"),
+    stated
+        .iter()
+        .map(|code| {
+            let shown = code
+                .parse::<Variant>()
+                .map_or_else(|_| code.to_uppercase(), |variant| variant.to_string());
+            if all().any(|own| own == shown) {
+                return Ok(shown);
+            }
+            let failure = Failure::new(format!("the run has no sheet {shown}"));
+            Err(match nearest(&shown, all()) {
+                Some(near) => failure.help(format!("did you mean {near}?")),
+                None => failure.help("write the code that is printed on the sheet"),
+            })
         })
-    };
-    stated.iter().map(found).collect()
+        .collect()
 }
 
 /// What was written.
@@ -143,7 +145,7 @@ pub(crate) fn pages(
     pages.try_for_each(|(form, sheet)| {
         let (practice, readers) = reader(sheet, manifest, readers);
         let page = output::form(form, &practice, &readers);
-        let page = page.map_err(|error| Failure::new(error.to_string()))?;
+        let page = page.map_err(Failure::of)?;
         let name = format!("{below}{}.html", sheet.code);
         out.write(&name, page.as_bytes()).map(drop)
     })?;
@@ -207,7 +209,7 @@ impl<'m> Writer<'m> {
             ..bare(manifest)
         };
         let grader = Grader::of(&practice.lines(&compiled));
-        let grader = grader.map_err(|error| Failure::new(error.to_string()))?;
+        let grader = grader.map_err(Failure::of)?;
         Ok(Self {
             manifest,
             run: Run::plain(&manifest.title, &manifest.language, manifest.decimal),

@@ -184,12 +184,11 @@ impl Index {
         &'a self,
         files: &'a [(ItemId, Stamp)],
     ) -> impl Iterator<Item = Listing> {
-        let listing = |(id, stamp): &(ItemId, Stamp)| {
+        files.iter().filter_map(|(id, stamp)| {
             let text = self.row(id, stamp)?;
             let listing: Listing = serde_json::from_str(text).ok()?;
             (listing.id == *id).then_some(listing)
-        };
-        files.iter().filter_map(listing)
+        })
     }
 
     /// The listing of a file, as it is written.

@@ -20,8 +20,7 @@ pub(crate) struct JournalFile {
 impl JournalFile {
     /// The journal of this name; `None` where another run has it.
     pub(crate) fn claim(folder: &Folder, name: String) -> Result<Option<Self>, Failure> {
-        let claimed = folder.claim(&name)?;
-        Ok(claimed.map(|file| Self {
+        Ok(folder.claim(&name)?.map(|file| Self {
             folder: folder.clone(),
             name,
             file: BufWriter::new(file),
@@ -31,7 +30,7 @@ impl JournalFile {
     /// Its first line, if it has one that is whole.
     pub(crate) fn head(&self) -> Result<Option<String>, Failure> {
         let mut reader = self.reader()?;
-        let head = line(&mut reader).map_err(|error| self.unwritable(&error))?;
+        let head = line(&mut reader).map_err(self.unwritable())?;
         Ok(head.map(|line| line.trim_end().to_owned()))
     }
 
@@ -39,12 +38,14 @@ impl JournalFile {
     /// off: its first line may have been interrupted in the middle.
     pub(crate) fn go_on(&mut self, mut take: impl FnMut(&str) -> bool) -> Result<usize, Failure> {
         let mut reader = self.reader()?;
-        let fail = |error| self.unwritable(&error);
         let mut end = line(&mut reader)
-            .map_err(fail)?
+            .map_err(self.unwritable())?
             .map_or(0, |head| head.len());
         let mut count = 0;
-        while let Some(own) = line(&mut reader).map_err(fail)?.filter(|own| take(own)) {
+        while let Some(own) = line(&mut reader)
+            .map_err(self.unwritable())?
+            .filter(|own| take(own))
+        {
             end += own.len();
             count += 1;
         }
@@ -56,7 +57,7 @@ impl JournalFile {
     pub(crate) fn begin(&mut self, head: &str) -> Result<(), Failure> {
         self.cut(0)?;
         let written = writeln!(self.file, "{head}").and_then(|()| self.file.flush());
-        written.map_err(|error| self.unwritable(&error))
+        written.map_err(self.unwritable())
     }
 
     /// Appends lines, and hands them to the system.
@@ -66,13 +67,12 @@ impl JournalFile {
             self.file.write_all(b"\n")
         });
         let flushed = written.and_then(|()| self.file.flush());
-        flushed.map_err(|error| self.unwritable(&error))
+        flushed.map_err(self.unwritable())
     }
 
     /// Waits until what was appended is on the disk.
     pub(crate) fn sync(&self) -> Result<(), Failure> {
-        let synced = self.file.get_ref().sync_data();
-        synced.map_err(|error| self.unwritable(&error))
+        self.file.get_ref().sync_data().map_err(self.unwritable())
     }
 
     /// Removes it: the run is complete.
@@ -98,19 +98,19 @@ impl JournalFile {
 
     fn reader(&self) -> Result<BufReader<&File>, Failure> {
         let mut file = self.file.get_ref();
-        let begun = file.seek(SeekFrom::Start(0));
-        begun.map_err(|error| self.unwritable(&error))?;
+        file.seek(SeekFrom::Start(0)).map_err(self.unwritable())?;
         Ok(BufReader::new(file))
     }
 
     fn cut(&mut self, end: u64) -> Result<(), Failure> {
         let mut file = self.file.get_ref();
         let cut = file.set_len(end).and_then(|()| file.seek(SeekFrom::End(0)));
-        cut.map(drop).map_err(|error| self.unwritable(&error))
+        cut.map(drop).map_err(self.unwritable())
     }
 
-    fn unwritable(&self, error: &io::Error) -> Failure {
-        unwritable(&self.folder.root().join(&self.name), error)
+    fn unwritable(&self) -> impl Fn(io::Error) -> Failure {
+        let path = self.folder.root().join(&self.name);
+        move |error| unwritable(&path)(error)
     }
 }
 

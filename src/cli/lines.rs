@@ -9,13 +9,14 @@ const MAX_LENGTH: usize = 5 << 20;
 
 /// Answers each line of standard input on standard output; empty lines are skipped.
 pub(crate) fn answer(mut reply: impl FnMut(&str) -> String) -> Result<Outcome, Failure> {
-    let fail = |error: io::Error| Failure::new(format!("cannot read standard input: {error}"));
     let mut input = io::BufReader::new(io::stdin().lock());
     let mut output = io::BufWriter::new(io::stdout().lock());
     let mut line = Vec::new();
     loop {
         line.clear();
-        if !take(&mut input, &mut line).map_err(fail)? {
+        if !take(&mut input, &mut line)
+            .map_err(|error| Failure::new(format!("cannot read standard input: {error}")))?
+        {
             break;
         }
         let text = String::from_utf8_lossy(&line);

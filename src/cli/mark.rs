@@ -99,12 +99,14 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
 
 /// Answers to earlier parts, by part.
 fn earlier(given: &[String]) -> Result<Map<String, Json>, Failure> {
-    let pair = |text: &String| {
-        let (part, response) = text.split_once('=').ok_or_else(|| {
-            Failure::new(format!("`{text}` is not an answer to a part"))
-                .help("write the part, an equals sign and the answer, as in `k_eq=4 N/m`")
-        })?;
-        Ok((part.trim().to_owned(), Json::from(response.trim())))
-    };
-    given.iter().map(pair).collect()
+    given
+        .iter()
+        .map(|text| {
+            let (part, response) = text.split_once('=').ok_or_else(|| {
+                Failure::new(format!("`{text}` is not an answer to a part"))
+                    .help("write the part, an equals sign and the answer, as in `k_eq=4 N/m`")
+            })?;
+            Ok((part.trim().to_owned(), Json::from(response.trim())))
+        })
+        .collect()
 }

@@ -85,7 +85,7 @@ pub(crate) fn read<'c>(path: &Path, catalogue: &'c Catalogue) -> Result<ReadPack
         );
     }
     let grader = Grader::of(&practice.lines(&items));
-    let grader = grader.map_err(|error| Failure::new(error.to_string()))?;
+    let grader = grader.map_err(Failure::of)?;
     Ok(ReadPackage {
         id: described.id,
         practice,
@@ -98,7 +98,6 @@ impl ReadPackage<'_> {
     /// A manifest of it, without sheets.
     pub(crate) fn manifest(&self, catalogue: &Catalogue) -> Manifest {
         let practice = &self.practice;
-        let text = |template: &Template| template.source.text.to_string();
         let items = self.questions.iter();
         Manifest {
             title: practice.title.clone(),
@@ -109,7 +108,7 @@ impl ReadPackage<'_> {
             doubt: Doubt::Benefit,
             other_form: practice.other_form,
             items: items
-                .map(|(template, _)| (template.id.to_string(), text(template)))
+                .map(|(template, _)| (template.id.to_string(), template.source.text.to_string()))
                 .collect(),
             ..record::without_sheets(catalogue)
         }
@@ -122,13 +121,12 @@ impl ReadPackage<'_> {
         part: &str,
         code: Variant,
     ) -> Result<Option<QuestionEntry>, Failure> {
-        let asks = |place: &usize| {
+        let place = (0..self.questions.len()).find(|place| {
             let (template, _) = &self.questions[*place];
             let question = &self.practice.questions[*place];
             let part = template.parts.iter().find(|own| own.id == part);
             question.item.as_str() == item && part.is_some_and(|part| question.asks(part))
-        };
-        let place = (0..self.questions.len()).find(asks);
+        });
         place.map(|place| self.question(place, code)).transpose()
     }
 
@@ -146,10 +144,11 @@ impl ReadPackage<'_> {
             Some(code.item(question.item.as_str(), None)),
             &set,
         );
-        let instance = instance.map_err(|error| Failure::new(error.to_string()))?;
+        let instance = instance.map_err(Failure::of)?;
         let solution = Solution::of(instance);
-        let asks = |place: &usize| solution.asks(*place) && question.asks(&template.parts[*place]);
-        let parts: Vec<usize> = (0..template.parts.len()).filter(asks).collect();
+        let parts: Vec<usize> = (0..template.parts.len())
+            .filter(|place| solution.asks(*place) && question.asks(&template.parts[*place]))
+            .collect();
         let points = |place: &usize| {
             let worth = worths
                 .iter()

@@ -103,8 +103,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
 
 fn page(offered: &Offered) -> Result<Vec<u8>, Failure> {
     let page = vibank::output::practice(&offered.practice, &offered.items);
-    let page = page.map_err(|error| Failure::new(error.to_string()))?;
-    Ok(page.into_bytes())
+    Ok(page.map_err(Failure::of)?.into_bytes())
 }
 
 fn package(offered: &Offered, version: Version) -> Result<Vec<u8>, Failure> {
@@ -124,7 +123,7 @@ fn package(offered: &Offered, version: Version) -> Result<Vec<u8>, Failure> {
             Scorm::V12 => "take fewer questions or parts, or `--scorm 2004`",
             Scorm::V2004 => "take fewer questions or parts, in several packages",
         };
-        Failure::new(error.to_string()).help(way)
+        Failure::of(error).help(way)
     })?;
     // What is never shown does not travel.
     let mut silent = Vec::new();
@@ -136,8 +135,7 @@ fn package(offered: &Offered, version: Version) -> Result<Vec<u8>, Failure> {
     }
     let items = items.iter().map(|item| item.silenced(&silent));
     let items: Vec<Compiled> = items.collect();
-    vibank::output::scorm(practice, &items, &package, version)
-        .map_err(|error| Failure::new(error.to_string()))
+    vibank::output::scorm(practice, &items, &package, version).map_err(Failure::of)
 }
 
 /// The practice of a blueprint, or what is wrong with it.
@@ -146,7 +144,7 @@ fn planned(
     catalogue: &Catalogue,
 ) -> Result<Result<Offered, Vec<vibank::diagnostic::Finding>>, Failure> {
     let source = file_kind::blueprint(path)?;
-    let plan = |blueprint: Blueprint| {
+    Ok(Blueprint::read(&source).and_then(|blueprint| {
         Plan::of(&blueprint, catalogue, None).map(|plan| {
             let (practice, items) = Practice::of_plan(&plan, catalogue);
             Offered {
@@ -156,8 +154,7 @@ fn planned(
                 seed: blueprint.seed,
             }
         })
-    };
-    Ok(Blueprint::read(&source).and_then(plan))
+    }))
 }
 
 /// The practice of the items that a word names and that pass a filter.

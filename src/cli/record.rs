@@ -5,11 +5,10 @@ use std::path::Path;
 
 use vibank::answer::Doubt;
 use vibank::bank::Catalogue;
-use vibank::numerics::Rational;
 use vibank::scene::Data;
 use vibank::worksheet::{
-    BankStamp, Csv, FORMAT, FileStamp, Heading, Manifest, Paper, PartEntry, Plan, QuestionEntry,
-    Sheet, SheetQuestion, VariantEntry, headings,
+    BankStamp, Csv, FORMAT, FileStamp, Manifest, Paper, PartEntry, Plan, QuestionEntry, Sheet,
+    SheetQuestion, VariantEntry, headings,
 };
 
 use serde_json::json;
@@ -72,27 +71,6 @@ pub(crate) fn question(question: &SheetQuestion<'_>) -> QuestionEntry {
     let solution = &question.solution;
     let template = solution.template();
     let values = template.parameters.iter().zip(solution.instance().values());
-    let part = |(heading, (place, points)): (Heading<'_>, (&usize, &Rational))| {
-        let part = &template.parts[*place];
-        let options = part.answer.options();
-        PartEntry {
-            letter: heading.letter,
-            id: part.id.clone(),
-            kind: part.answer.kind().name().to_owned(),
-            unit: part
-                .answer
-                .unit()
-                .map(|unit| unit.to_string())
-                .unwrap_or_default(),
-            points: points.to_f64(),
-            options: solution
-                .order(*place)
-                .into_iter()
-                .filter(|_| !options.is_empty())
-                .map(|at| options[at].id.clone())
-                .collect(),
-        }
-    };
     QuestionEntry {
         number: question.number,
         item: template.id.clone(),
@@ -110,7 +88,27 @@ pub(crate) fn question(question: &SheetQuestion<'_>) -> QuestionEntry {
         parts: headings(template, &question.parts)
             .into_iter()
             .zip(question.parts.iter().zip(&question.points))
-            .map(part)
+            .map(|(heading, (place, points))| {
+                let part = &template.parts[*place];
+                let options = part.answer.options();
+                PartEntry {
+                    letter: heading.letter,
+                    id: part.id.clone(),
+                    kind: part.answer.kind().name().to_owned(),
+                    unit: part
+                        .answer
+                        .unit()
+                        .map(|unit| unit.to_string())
+                        .unwrap_or_default(),
+                    points: points.to_f64(),
+                    options: solution
+                        .order(*place)
+                        .into_iter()
+                        .filter(|_| !options.is_empty())
+                        .map(|at| options[at].id.clone())
+                        .collect(),
+                }
+            })
             .collect(),
     }
 }
@@ -161,10 +159,11 @@ impl Record {
     ) -> Result<Self, Failure> {
         let Origin { plan, shard, .. } = origin;
         let name = shard.named("manifest", "json");
-        let draft = |name: &str| out.go_on(name, mark.left(name));
-        let mut manifest = draft(&name)?;
+        let mut manifest = out.go_on(&name, mark.left(&name))?;
         let makes_form = shard.is_whole() && kept_form.is_none();
-        let mut responses = makes_form.then(|| draft(FORM)).transpose()?;
+        let mut responses = makes_form
+            .then(|| out.go_on(FORM, mark.left(FORM)))
+            .transpose()?;
         let dialect = Dialect::new(plan.blueprint.csv, plan.blueprint.decimal);
         let is_first = mark.done == 0;
         if is_first {

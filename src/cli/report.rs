@@ -104,8 +104,7 @@ fn plain(finding: &Finding, message: &str) -> String {
 fn lines_of(finding: &Finding) -> (&str, usize) {
     let text = &*finding.source.text;
     let spans = finding.labels.iter().map(|label| label.span);
-    let spans = spans.filter(|span| !span.is_none());
-    let Some(span) = spans.reduce(Span::join) else {
+    let Some(span) = spans.filter(|span| !span.is_none()).reduce(Span::join) else {
         return (text, 0);
     };
     let range = clip(span.range(), text);

@@ -137,8 +137,7 @@ impl FileReading {
         if let Some(doubt) = &table.doubt {
             eprintln!("{doubt}");
         }
-        let begins_row = |row: &table::TableRow<'_>| begins_sheet(row, layout.code());
-        for row in table.rows(&begins_row) {
+        for row in table.rows(&|row| begins_sheet(row, layout.code())) {
             match row {
                 Ok(row) => layout.rows(&row, &mut |at, response| match table.spoilt(row.line, at) {
                     Some(spoilt) => {
@@ -173,19 +172,19 @@ impl FileReading {
 
     /// One part, or one sheet with a key for each part.
     fn object(&mut self, number: usize, object: &Map<String, Json>) {
-        let text = |name: &str| object.get(name).and_then(written);
-        let Some(code) = text("code") else {
+        let Some(code) = object.get("code").and_then(written) else {
             self.faults.push(format!("entry {number} has no `code`"));
             return;
         };
         if object.contains_key("question") {
-            let [question, part] = ["question", "part"].map(|name| text(name).unwrap_or_default());
+            let [question, part] = ["question", "part"]
+                .map(|name| object.get(name).and_then(written).unwrap_or_default());
             let row = Row {
                 line: number,
                 code: &code,
                 question: &question,
                 part: &part,
-                response: &text("response").unwrap_or_default(),
+                response: &object.get("response").and_then(written).unwrap_or_default(),
             };
             return self.add(&row);
         }
@@ -225,8 +224,7 @@ enum LineLayout {
 
 impl LineLayout {
     fn of(names: &[String]) -> Option<Self> {
-        let place = |name: &str| names.iter().position(|found| found == name);
-        let places = COLUMNS.map(place);
+        let places = COLUMNS.map(|name| names.iter().position(|found| found == name));
         if let [Some(a), Some(b), Some(c), Some(d)] = places {
             return Some(Self::Parts([a, b, c, d]));
         }

@@ -86,13 +86,10 @@ pub(crate) fn digest(path: &Path) -> Result<String, Failure> {
 
 /// The files in a folder that are not hidden, by name.
 fn paths(folder: &Path) -> Result<Vec<std::path::PathBuf>, Failure> {
-    let fail = |error: std::io::Error| {
-        Failure::new(format!("cannot read `{}`: {error}", folder.display()))
-    };
-    let entries = std::fs::read_dir(folder).map_err(fail)?;
+    let entries = std::fs::read_dir(folder).map_err(files::unreadable(folder))?;
     let mut paths = Vec::new();
     for entry in entries {
-        let path = entry.map_err(fail)?.path();
+        let path = entry.map_err(files::unreadable(folder))?.path();
         // Systems leave files of their own in folders, such as `.DS_Store`.
         if path.is_file() && !name(&path).starts_with('.') {
             paths.push(path);

@@ -200,8 +200,7 @@ impl<'m> RunSheets<'m> {
             students: BTreeMap::new(),
         };
         for (at, entry) in entries.iter().enumerate() {
-            let questions = entry.questions.iter();
-            let choices = questions.flat_map(|question| {
+            let choices = entry.questions.iter().flat_map(|question| {
                 let parts = question.parts.iter();
                 let parts = parts.filter(|part| !part.options.is_empty());
                 parts.map(|part| (question.number, part))

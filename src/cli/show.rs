@@ -65,8 +65,8 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
             .iter()
             .map(|(name, value)| (name.as_str(), value.as_str().unwrap_or_default()))
             .collect();
-        let instance = Instance::of(template, arguments.seed.map(Seed::new), &set)
-            .map_err(|error| Failure::new(error.to_string()))?;
+        let instance =
+            Instance::of(template, arguments.seed.map(Seed::new), &set).map_err(Failure::of)?;
         let solution = Solution::of(instance);
         let parts = asked(&solution);
         show(arguments, &solution, Data::Both, &parts);
@@ -146,7 +146,7 @@ fn of_blueprint(
         Err(findings) => return bank::refuse(&findings),
     };
     let sheet = Sheet::draw(&plan, code(arguments)?, None);
-    let sheet = sheet.map_err(|error| Failure::new(error.to_string()))?;
+    let sheet = sheet.map_err(Failure::of)?;
     for question in &sheet.questions {
         println!("Question {}", question.number);
         show(
@@ -177,8 +177,7 @@ fn of_learner(
             .map(|(name, value)| (name.as_str(), value.as_str()))
             .collect();
         let seed = code.item(template.id.as_str(), None);
-        let instance = Instance::of(template, Some(seed), &set)
-            .map_err(|error| Failure::new(error.to_string()))?;
+        let instance = Instance::of(template, Some(seed), &set).map_err(Failure::of)?;
         let solution = Solution::of(instance);
         let mut places = asked(&solution);
         places.retain(|place| question.asks(&template.parts[*place]));

@@ -22,18 +22,18 @@ pub(crate) fn shown(message: &str) -> Cow<'_, str> {
 
 /// A text in which characters that steer a terminal are shown in place of what they do.
 pub(crate) fn still(text: &str) -> Cow<'_, str> {
-    let steers = |char: char| char.is_control() && !matches!(char, '\n' | '\t');
-    if !text.contains(steers) {
+    if !text.contains(|char: char| char.is_control() && !matches!(char, '\n' | '\t')) {
         return Cow::Borrowed(text);
     }
-    let visible = |char: char| match char {
-        '\n' | '\t' => char,
-        '\0'..='\u{1f}' => char::from_u32(u32::from(char) + 0x2400).unwrap_or(char),
-        '\u{7f}' => '\u{2421}',
-        _ if char.is_control() => '\u{fffd}',
-        _ => char,
-    };
-    text.chars().map(visible).collect()
+    text.chars()
+        .map(|char| match char {
+            '\n' | '\t' => char,
+            '\0'..='\u{1f}' => char::from_u32(u32::from(char) + 0x2400).unwrap_or(char),
+            '\u{7f}' => '\u{2421}',
+            _ if char.is_control() => '\u{fffd}',
+            _ => char,
+        })
+        .collect()
 }
 
 #[cfg(test)]

@@ -84,13 +84,14 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
 
 /// `name=value` pairs.
 pub(crate) fn settings(pairs: &[String]) -> Result<Map<String, Json>, Failure> {
-    let pair =
-        |pair: &String| match pair.split_once('=') {
+    pairs
+        .iter()
+        .map(|pair| match pair.split_once('=') {
             Some((name, value)) => Ok((name.trim().to_owned(), json!(value.trim()))),
             None => Err(Failure::new(format!("`{pair}` sets nothing"))
                 .help("write for example `--set m=2kg`")),
-        };
-    pairs.iter().map(pair).collect()
+        })
+        .collect()
 }
 
 fn print(id: &str, solved: &Solved) {

@@ -24,15 +24,14 @@ pub(crate) fn system(parameters: &Parameters) -> Result<System, RequestError> {
 /// A list of `[i, j, coefficient]`; node 0 is the ground.
 fn links(parameters: &Parameters, name: &'static str) -> Result<Vec<Link>, RequestError> {
     const EXPECTED: &str = "a list of [i, j, coefficient], where node 0 is the ground";
-    let wrong = || RequestError::NotANumber {
-        name,
-        expected: EXPECTED,
-    };
     let entries = parameters.lists(name, EXPECTED)?;
     let link = |entry: Option<Cow<[f64]>>| entry.and_then(|entry| link(&entry));
-    let links = entries
-        .into_iter()
-        .map(|entry| link(entry).ok_or_else(wrong));
+    let links = entries.into_iter().map(|entry| {
+        link(entry).ok_or_else(|| RequestError::NotANumber {
+            name,
+            expected: EXPECTED,
+        })
+    });
     links.collect()
 }
 

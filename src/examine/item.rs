@@ -91,14 +91,13 @@ fn disclosed(template: &Template) -> Vec<QuestionFault> {
             part.answer.kind(),
             AnswerKind::Formula | AnswerKind::Equation | AnswerKind::Matrix
         );
-        let shows = |passage: &Passage| prints(passage, key, is_letters);
         let is_datum = template
             .info(key)
             .is_some_and(|info| info.parameter.is_some());
         if is_datum {
             continue;
         }
-        if shows(&template.statement) {
+        if prints(&template.statement, key, is_letters) {
             faults.push(QuestionFault::Disclosed {
                 part: part.id.clone(),
                 place: "the statement".to_owned(),
@@ -111,7 +110,8 @@ fn disclosed(template: &Template) -> Vec<QuestionFault> {
             .filter(|(other, _)| *other >= place);
         let is_shown = |other: &Part| {
             let mut group = other.group.iter();
-            shows(&other.ask) || group.any(|group| shows(&group.text))
+            prints(&other.ask, key, is_letters)
+                || group.any(|group| prints(&group.text, key, is_letters))
         };
         if let Some((_, other)) = others.into_iter().find(|(_, other)| is_shown(other)) {
             let place = format!("the question of part `{}`", other.id);

@@ -409,13 +409,12 @@ const NODE: f64 = 1e-9;
 impl MistakeTally {
     fn faults(self, part: &str, number: usize, draws: u64) -> Vec<QuestionFault> {
         let mut faults = Vec::new();
-        let part = || part.to_owned();
         faults.extend(self.right);
         let most = self.taken.iter().max_by_key(|(_, count)| **count);
         let alike = most.filter(|(_, count)| 2 * **count > self.typed);
         if let Some((other, count)) = alike {
             faults.push(QuestionFault::MistakesAlike {
-                part: part(),
+                part: part.to_owned(),
                 first: other + 1,
                 second: number + 1,
                 percent: 100.0 * *count as f64 / self.typed as f64,
@@ -430,7 +429,7 @@ impl MistakeTally {
                 _ => None,
             };
             faults.push(QuestionFault::MistakeUnmet {
-                part: part(),
+                part: part.to_owned(),
                 number: number + 1,
                 why,
             });

@@ -28,8 +28,9 @@ pub(crate) fn printed(solution: &Solution<'_>, place: usize) -> Option<String> {
 
 fn by_lines(solution: &Solution<'_>, passage: &Passage, key: NodeId) -> Option<Value> {
     let shown = passage.pieces.iter().filter(|piece| {
-        let holds = |when| solution.evaluation().holds(when) == Ok(true);
-        piece.when.is_none_or(holds)
+        piece
+            .when
+            .is_none_or(|when| solution.evaluation().holds(when) == Ok(true))
     });
     shown
         .filter_map(|piece| worked(solution, piece, key).or_else(|| written(solution, piece, key)))
@@ -55,8 +56,7 @@ fn worked(solution: &Solution<'_>, piece: &Piece, key: NodeId) -> Option<Value> 
     if !forms.into_iter().any(is_worked) {
         return None;
     }
-    let nodes = shown_in(solution.template(), own);
-    let rounded = nodes
+    let rounded = shown_in(solution.template(), own)
         .into_iter()
         .filter_map(|node| Some((node, as_printed(solution, node)?)));
     let evaluation = solution.evaluation().replacing(rounded.collect());
@@ -73,15 +73,14 @@ fn written(solution: &Solution<'_>, piece: &Piece, key: NodeId) -> Option<Value>
         }
         _ => false,
     };
-    let displays = piece
+    piece
         .document
         .blocks()
         .iter()
         .filter_map(|block| match block {
             Block::Display(math) => Some(math),
             _ => None,
-        });
-    displays
+        })
         .filter_map(|math| {
             let sides = sides(math);
             let place = sides.iter().rposition(|side| is_key(side))?;

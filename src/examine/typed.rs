@@ -17,13 +17,14 @@ pub(crate) fn value(value: &Value, unit: Option<Unit>, figures: u32) -> Option<S
     let own = unit.unwrap_or(Unit::ONE);
     let number = |si: f64| rounded(own.of_si(si), figures);
     if value.form().field == Field::Complex {
-        let parts = |at: usize| {
-            let entry = value.entry(at);
-            let (re, im) = (number(entry.re)?, number(entry.im.abs())?);
-            let sign = if entry.im < 0.0 { '-' } else { '+' };
-            Some(format!("({re} {sign} {im}i){behind}"))
-        };
-        let all: Option<Vec<String>> = (0..value.shape().len()).map(parts).collect();
+        let all: Option<Vec<String>> = (0..value.shape().len())
+            .map(|at| {
+                let entry = value.entry(at);
+                let (re, im) = (number(entry.re)?, number(entry.im.abs())?);
+                let sign = if entry.im < 0.0 { '-' } else { '+' };
+                Some(format!("({re} {sign} {im}i){behind}"))
+            })
+            .collect();
         return Some(all?.join("; "));
     }
     let numbers = value.numbers().iter().map(|si| number(*si));
@@ -210,10 +211,9 @@ fn inlined(graph: &Graph, expr: &Expr, keep: &dyn Fn(&Name) -> bool) -> Expr {
     let mut expr = expr.clone();
     for _ in 0..MAX_STEPS {
         let names = expr.names().free;
-        let formulas = names
+        let put: Vec<(Name, Expr)> = names
             .iter()
-            .filter(|variable| variable.order == 0 && !keep(&variable.name));
-        let put: Vec<(Name, Expr)> = formulas
+            .filter(|variable| variable.order == 0 && !keep(&variable.name))
             .filter_map(|variable| {
                 let node = graph.find(&variable.name)?;
                 Some((variable.name.clone(), graph.expr(node)?.clone()))
@@ -281,12 +281,10 @@ impl Writing<'_, '_> {
                 Some(node) => self.written((self.own)(node)?, depth + 1),
                 None => Some(expr.clone()),
             },
-            Kind::Prime(inner, order) => {
-                let times = std::iter::repeat_n(TIME, usize::from(*order));
-                times.fold(inside(inner), |inner, time| {
+            Kind::Prime(inner, order) => std::iter::repeat_n(TIME, usize::from(*order))
+                .fold(inside(inner), |inner, time| {
                     differentiate(&inner?, time).ok()
-                })
-            }
+                }),
             Kind::Diff(inner, by) => by.iter().fold(inside(inner), |inner, name| {
                 differentiate(&inner?, name).ok()
             }),
@@ -402,13 +400,12 @@ pub(crate) fn of_others(solution: &Solution<'_>, place: usize) -> Vec<(String, S
     let Some(own) = own.filter(|_| answer.kind() == AnswerKind::Numeric) else {
         return Vec::new();
     };
-    let dimension = |unit: Option<Unit>| unit.unwrap_or(Unit::ONE).dimension();
-    let parts = template.parts.iter().enumerate();
-    let others = parts.filter(|(other, part)| {
+    let others = template.parts.iter().enumerate().filter(|(other, part)| {
         *other != place
             && part.answer.kind() == AnswerKind::Numeric
             && solution.asks(*other)
-            && dimension(part.answer.unit()) == dimension(answer.unit())
+            && part.answer.unit().unwrap_or(Unit::ONE).dimension()
+                == answer.unit().unwrap_or(Unit::ONE).dimension()
     });
     others
         .filter_map(|(_, part)| {

@@ -40,11 +40,10 @@ impl<'s, 'c> QuestionWords<'s, 'c> {
     ) -> Self {
         let scope = format!("m-{}-{}", sheet.variant, question.number);
         let item = &question.solution.template().id;
-        let before = sheet
+        let time = sheet
             .questions
             .iter()
-            .filter(|own| own.number <= question.number);
-        let time = before
+            .filter(|own| own.number <= question.number)
             .filter(|own| own.solution.template().id == *item)
             .count();
         Self {

@@ -117,13 +117,6 @@ impl Outline {
         let share = match self.form {
             OutlineForm::Box { half, angle } => {
                 let (start, way) = (turned(from - self.centre, -angle), turned(way, -angle));
-                let enter = |start: f64, way: f64, half: f64| {
-                    if way.abs() < 1e-9 {
-                        f64::NEG_INFINITY
-                    } else {
-                        (-half.copysign(way) - start) / way
-                    }
-                };
                 enter(start.x, way.x, half.x).max(enter(start.y, way.y, half.y))
             }
             OutlineForm::Round { radius } => {
@@ -213,6 +206,15 @@ impl Outline {
             }
             OutlineForm::Round { radius } => corner.distance(self.centre) <= radius,
         })
+    }
+}
+
+/// When a way enters a strip of this half width around zero.
+fn enter(start: f64, way: f64, half: f64) -> f64 {
+    if way.abs() < 1e-9 {
+        f64::NEG_INFINITY
+    } else {
+        (-half.copysign(way) - start) / way
     }
 }
 

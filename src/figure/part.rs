@@ -39,6 +39,16 @@ pub struct End {
     pub pass: Option<bool>,
 }
 
+impl End {
+    /// Where a line from elsewhere to `at` ends: at the outline of the body there, if that has an axle or, by `axle`, none.
+    pub(crate) fn trimmed(&self, from: Point, at: Point, axle: bool) -> Point {
+        match self.body {
+            Some(body) if self.out.is_none() && body.has_axle == axle => body.entry(from, at),
+            _ => at,
+        }
+    }
+}
+
 /// The value of a key.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Setting {
@@ -145,21 +155,15 @@ impl Part<'_> {
     /// Where a link begins and ends: at the outlines of bodies, beside others that share its ends.
     pub fn link(&self) -> (Point, Point) {
         let (a, b) = self.moved();
-        let end = |end: &End, from: Point, at: Point| match end.body {
-            Some(body) if end.out.is_none() && !body.has_axle => body.entry(from, at),
-            _ => at,
-        };
-        (end(&self.ends[0], b, a), end(&self.ends[1], a, b))
+        let [first, second] = [&self.ends[0], &self.ends[1]];
+        (first.trimmed(b, a, false), second.trimmed(a, b, false))
     }
 
     /// The part of a spring or damper that is not a mere rod: it ends before the disk to whose axle it leads.
     pub fn working(&self) -> (Point, Point) {
         let (a, b) = self.link();
-        let end = |end: &End, from: Point, at: Point| match end.body {
-            Some(body) if end.out.is_none() && body.has_axle => body.entry(from, at),
-            _ => at,
-        };
-        let (c, d) = (end(&self.ends[0], b, a), end(&self.ends[1], a, b));
+        let [first, second] = [&self.ends[0], &self.ends[1]];
+        let (c, d) = (first.trimmed(b, a, true), second.trimmed(a, b, true));
         if c.distance(d) < MIN_LENGTH {
             (a, b)
         } else {

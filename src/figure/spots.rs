@@ -53,18 +53,14 @@ pub(crate) fn at_tip(from: Point, tip: Point, at: Option<Side>) -> Vec<Spot> {
     let (near, far) = FARTHER.split_at(2);
     for farther in [near, far] {
         if let Some(side) = at {
-            let beside_tip = |more: &f64| Spot::beside(tip, side.direction(), 0.08 + GAP + more);
-            spots.extend(farther.iter().map(beside_tip));
+            spots.extend(off_at(tip, side.direction(), 0.08, farther));
             spots.extend(beside_at(from, tip, 0.08, at, farther));
         }
         spots.push(Spot::beside(tip, along, GAP));
         for normal in normals {
-            let beside_tip =
-                |more: &f64| Spot::beside(tip - along * 0.1, normal, 0.08 + GAP + more);
-            spots.extend(farther.iter().map(beside_tip));
+            spots.extend(off_at(tip - along * 0.1, normal, 0.08, farther));
         }
-        let beyond = |more: &f64| Spot::beside(tip, along, GAP + more);
-        spots.extend(farther.iter().map(beyond));
+        spots.extend(off_at(tip, along, 0.0, farther));
         spots.extend(beside_at(from, tip, 0.08, at, farther));
     }
     spots
@@ -72,8 +68,18 @@ pub(crate) fn at_tip(from: Point, tip: Point, at: Option<Side>) -> Vec<Spot> {
 
 /// Beside a point, in a direction, at growing distances.
 pub(crate) fn off(point: Point, direction: Point, clear: f64) -> impl Iterator<Item = Spot> {
-    FARTHER
-        .into_iter()
+    off_at(point, direction, clear, &FARTHER)
+}
+
+/// The same at some of the distances.
+fn off_at(
+    point: Point,
+    direction: Point,
+    clear: f64,
+    farther: &[f64],
+) -> impl Iterator<Item = Spot> {
+    farther
+        .iter()
         .map(move |more| Spot::beside(point, direction, clear + GAP + more))
 }
 

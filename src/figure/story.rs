@@ -281,8 +281,9 @@ fn joints(elements: &[(&Item, &Part<'_>)]) -> Vec<Joint> {
         };
         let mut ends = [first, last].map(|end| met(elements, end.point, noun));
         crate::numerics::sort_by(&mut ends, |one, other| {
-            let words = |end: &Option<Thing>| end.as_ref().map(Thing::words);
-            words(one).cmp(&words(other))
+            one.as_ref()
+                .map(Thing::words)
+                .cmp(&other.as_ref().map(Thing::words))
         });
         let link = Thing::of(noun, part);
         match joints.iter_mut().find(|known| known.ends == ends) {
@@ -314,20 +315,19 @@ fn met(elements: &[(&Item, &Part<'_>)], point: Point, except: &str) -> Option<Th
         let is_there = noun != except && outline.bounds().grown(NEAR).has(point);
         is_there.then(|| Thing::of(noun, part))
     });
-    let bar = || {
+    body.or_else(|| {
         elements.iter().find_map(|(item, part)| {
             let Role::Link(noun @ ("bar" | "rod")) = item.kind.role() else {
                 return None;
             };
             (noun != except && is_near_line(part)).then(|| Thing::of(noun, part))
         })
-    };
-    let ground = || {
+    })
+    .or_else(|| {
         elements.iter().find_map(|(item, part)| {
             (item.kind.role() == Role::Ground && is_near_line(part)).then(|| ground(part))
         })
-    };
-    body.or_else(bar).or_else(ground)
+    })
 }
 
 /// A ground is called by where it lies.

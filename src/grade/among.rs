@@ -24,10 +24,9 @@ pub(crate) fn marked(
 ) -> Marking {
     let parts = &solution.template().parts;
     let response = &responses[place];
-    let heeds = |at: usize| parts[at].answer.heeds_others();
     if response.typed().is_empty()
         || response.is_too_long()
-        || !heeds(place)
+        || !parts[place].answer.heeds_others()
         || withdrawn(response.typed(), false).is_some()
     {
         return mark_typed(solution, place, response);
@@ -36,7 +35,8 @@ pub(crate) fn marked(
         Ok(folded) => folded,
         Err(dollar) => return Marking::unreadable(dollar),
     };
-    let others = (0..parts.len()).filter(|at| *at != place && heeds(*at) && solution.asks(*at));
+    let others = (0..parts.len())
+        .filter(|at| *at != place && parts[*at].answer.heeds_others() && solution.asks(*at));
     let others: Vec<Beside<'_>> = others
         .filter_map(|at| {
             let other = Some(&responses[at]).filter(|other| !other.is_too_long())?;

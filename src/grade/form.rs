@@ -205,15 +205,14 @@ impl Forms<'_> {
         }
         let letters = |side: &FormedSide<'_>| {
             let read = side.other.reading.as_ref();
-            let formula = read.and_then(|reading| reading.answered.formula());
-            formula
+            read.and_then(|reading| reading.answered.formula())
                 .filter(|own| !own.names().free.is_empty())
                 .or_else(|| self.naming.letters(side.typed))
         };
         let is_number = |side: &FormedSide<'_>| {
             let is_misfit = side.own.reasons().contains(&Reason::Dimension);
-            let may_be_letters = || letters(side).is_some() || side.typed.is_of_free_letters();
-            side.own.reading.is_some() && !(is_misfit && may_be_letters())
+            side.own.reading.is_some()
+                && !(is_misfit && (letters(side).is_some() || side.typed.is_of_free_letters()))
         };
         let value = marked.iter().rfind(|side| is_number(side))?;
         for (at, side) in marked.iter().enumerate() {
@@ -336,6 +335,8 @@ fn share(solution: &Solution<'_>, place: usize, sheet: &Sheet<'_>) -> Option<Cre
     if sheet.asked.iter().any(is_asked_again) {
         return None;
     }
-    let half = || Rational::new(1, 2).and_then(Credit::new);
-    sheet.other_form.or(template.about.other_form).or_else(half)
+    sheet
+        .other_form
+        .or(template.about.other_form)
+        .or_else(|| Rational::new(1, 2).and_then(Credit::new))
 }

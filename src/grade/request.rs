@@ -151,8 +151,7 @@ fn marked(session: &mut Session<'_>, request: &MarkRequest) -> Result<Marked, Re
 
 /// The place of a part in its item.
 fn place(template: &Template, part: &str) -> Result<usize, Refusal> {
-    let found = template.place(part);
-    found.ok_or_else(|| {
+    template.place(part).ok_or_else(|| {
         let was = template.parts.iter().flat_map(|own| &own.was);
         let ids = template.parts.iter().map(|own| &own.id).chain(was);
         let near = crate::source::nearest(part, ids.map(String::as_str))

@@ -255,11 +255,10 @@ impl Responses {
 
     /// The rows with a response that nobody claimed, by line; those of open places were reported before.
     pub fn unclaimed(&self) -> Vec<RowError> {
-        let lost = |row: &&Kept| !row.is_claimed && !row.is_open && !row.response.is_empty();
         let mut errors: Vec<(usize, RowError)> = self
             .rows
             .iter()
-            .filter(lost)
+            .filter(|row| !row.is_claimed && !row.is_open && !row.response.is_empty())
             .map(|row| {
                 let place = self.place(row);
                 let is_code = place.code.parse::<Variant>().is_ok();

@@ -55,8 +55,8 @@ pub(crate) fn heard(response: &str, marking: Marking) -> Marking {
 
 /// Whether a text says that there is no answer: signs alone, or words for it.
 fn is_no_answer(response: &str) -> bool {
-    let is_sign = |sign: char| "?¿!.,-–—−_~/\\*…()[]: ".contains(sign);
-    let words = lower(response.trim_matches(is_sign)).replace('’', "'");
+    let words = lower(response.trim_matches(|sign: char| "?¿!.,-–—−_~/\\*…()[]: ".contains(sign)))
+        .replace('’', "'");
     let words = words.split_whitespace().collect::<Vec<_>>().join(" ");
     // Signs alone are a dash or a row of dots; more of them than a blank has room for are something mistyped.
     const MAX_SIGNS: usize = 40;

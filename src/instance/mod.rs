@@ -233,26 +233,25 @@ impl<'t> Instance<'t> {
 
     /// A fresh evaluation of the item's graph for these data.
     pub fn evaluation(&self) -> Evaluation<'t> {
-        let precise = |(parameter, value): (&Parameter, &Quantity)| {
-            let (high, low) = parameter.si_pair(value);
-            // Two words hold a scaled decimal to at least 106 bits.
-            Precise::new(
-                high,
-                low,
-                if low == 0.0 {
-                    0.0
-                } else {
-                    // 2⁻¹⁰⁶, rounded up.
-                    high.abs() * 1.3e-32
-                },
-            )
-        };
         let data: Arc<[Precise]> = self
             .template
             .parameters
             .iter()
             .zip(&self.values)
-            .map(precise)
+            .map(|(parameter, value)| {
+                let (high, low) = parameter.si_pair(value);
+                // Two words hold a scaled decimal to at least 106 bits.
+                Precise::new(
+                    high,
+                    low,
+                    if low == 0.0 {
+                        0.0
+                    } else {
+                        // 2⁻¹⁰⁶, rounded up.
+                        high.abs() * 1.3e-32
+                    },
+                )
+            })
             .collect();
         Evaluation::new(&self.template.graph, data)
     }

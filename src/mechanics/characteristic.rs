@@ -56,11 +56,10 @@ fn free_letter(model: &Model, letters: &[&str]) -> Option<Name> {
     for matrix in [&linear.mass, &linear.damping, &linear.stiffness] {
         entries.extend(matrix.iter().flatten());
     }
-    let is_free = |name: &Name| entries.iter().all(|entry| !entry.mentions(name));
     letters
         .iter()
         .map(|letter| Name::from(*letter))
-        .find(is_free)
+        .find(|name| entries.iter().all(|entry| !entry.mentions(name)))
 }
 
 /// By expansion along the first row; the matrices are small.

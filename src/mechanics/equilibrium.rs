@@ -100,8 +100,9 @@ impl Balance {
             put.with(name.clone(), Expr::number(0))
         });
         for restoring in &self.restoring {
-            let is_coordinate = |own: &Variable| own.order == 0 && coordinates.contains(&own.name);
-            let at_zero = match restoring.where_zero(&is_coordinate) {
+            let at_zero = match restoring
+                .where_zero(&|own| own.order == 0 && coordinates.contains(&own.name))
+            {
                 Some(left) => Ok(left),
                 None => Normal::of(&zero.apply(&restoring.to_expr(&Order::new()))?),
             };
@@ -150,8 +151,7 @@ fn stated(definition: &Definition, kinematics: &Kinematics) -> Result<Vec<Expr>,
 
 /// The sum with all derivatives of these names set to zero.
 pub(crate) fn at_rest(sum: &Normal, moving: &BTreeSet<Name>) -> Result<Normal, SymbolicError> {
-    let is_rate = |own: &Variable| own.order > 0 && moving.contains(&own.name);
-    match sum.where_zero(&is_rate) {
+    match sum.where_zero(&|own| own.order > 0 && moving.contains(&own.name)) {
         Some(at_rest) => Ok(at_rest),
         None => Normal::of(&without_rates(&sum.to_expr(&Order::new()), moving)?),
     }

@@ -219,11 +219,13 @@ impl Diagnose for ModelError {
     }
 
     fn labels(&self) -> Vec<Label> {
-        let place = |span: Span, text: String| vec![Label { span, text }];
         match self {
             Self::Check { error, .. } => error.labels(),
             Self::Dimension { found, span, .. } => {
-                place(*span, found.map_or_else(String::new, Dimension::describe))
+                vec![Label {
+                    span: *span,
+                    text: found.map_or_else(String::new, Dimension::describe),
+                }]
             }
             Self::CoordinateCount { .. } => Vec::new(),
             Self::Duplicate { span, .. }
@@ -237,7 +239,10 @@ impl Diagnose for ModelError {
             | Self::Unbounded { span, .. }
             | Self::NoEquilibrium { span, .. }
             | Self::NotAnEquilibrium { span, .. }
-            | Self::Symbolic { span, .. } => place(*span, String::new()),
+            | Self::Symbolic { span, .. } => vec![Label {
+                span: *span,
+                text: String::new(),
+            }],
         }
     }
 

@@ -115,14 +115,13 @@ pub(crate) struct WrittenModel {
 
 impl WrittenModel {
     fn of(energies: &Energies) -> Self {
-        let compiled = |formula: &Expr| Compiled::new(formula.clone());
         let forces = energies.forces.iter();
         Self {
-            kinetic: compiled(&energies.kinetic),
-            potential: compiled(&energies.potential),
-            dissipation: compiled(&energies.dissipation),
+            kinetic: Compiled::new(energies.kinetic.clone()),
+            potential: Compiled::new(energies.potential.clone()),
+            dissipation: Compiled::new(energies.dissipation.clone()),
             forces: forces
-                .map(|own| (!own.is_zero()).then(|| compiled(own)))
+                .map(|own| (!own.is_zero()).then(|| Compiled::new(own.clone())))
                 .collect(),
         }
     }
@@ -140,8 +139,7 @@ impl Tangent {
 
 /// Factor and row of each square of V as one list, if V is a sum of squares.
 fn compiled_squares(energies: &Energies) -> Option<Compiled> {
-    let is_free = |force: &Expr| force.is_zero();
-    if !energies.forces.iter().all(is_free) {
+    if !energies.forces.iter().all(|force| force.is_zero()) {
         let names = &energies.coordinates;
         let depends = |force: &Expr| {
             names
@@ -152,8 +150,7 @@ fn compiled_squares(energies: &Energies) -> Option<Compiled> {
             return None;
         }
     }
-    let squares = squares(&energies.potential, &energies.coordinates)?;
-    let entries = squares
+    let entries = squares(&energies.potential, &energies.coordinates)?
         .into_iter()
         .flat_map(|own| std::iter::once(own.factor).chain(own.row));
     let entries: Vec<_> = entries.collect();

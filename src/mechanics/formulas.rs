@@ -61,11 +61,10 @@ fn with_friction(model: &Model, coordinate: usize, equation: Equation) -> Equati
 /// A number of one degree of freedom in terms of m, c and k.
 fn formula_of_single(model: &Model, single: Sdof) -> Result<Expr, Unavailable> {
     let [mass, damping, stiffness] = model.coefficients()?;
-    let expr = |coefficient: &Normal| model.written(coefficient);
     let put = Substitution::new()
-        .with("m", expr(&mass))
-        .with("c", expr(&damping))
-        .with("k", expr(&stiffness));
+        .with("m", model.written(&mass))
+        .with("c", model.written(&damping))
+        .with("k", model.written(&stiffness));
     let definition = Expr::read(single.definition()).map_err(|_| Unavailable::NoFormula)?;
     in_normal_form(model, &definition, &put)
 }

@@ -137,27 +137,26 @@ impl Energies {
     /// The left side of `d/dt ∂T/∂q' − ∂T/∂q + ∂V/∂q + ∂D/∂q' − Q = 0` for each coordinate.
     pub(crate) fn residuals(&self, sums: &Sums) -> Result<Vec<Normal>, SymbolicError> {
         let moving: BTreeSet<_> = crate::numerics::gather(self.coordinates.iter().cloned());
-        let residual = |(name, force): (&Name, &Expr)| {
-            let (position, velocity) = (Variable::of(name, 0), Variable::of(name, 1));
-            let momentum = sums.kinetic.derivative_of(&self.kinetic, &velocity)?;
-            let kinetic = sums.kinetic.derivative_of(&self.kinetic, &position)?;
-            let potential = sums.potential.derivative_of(&self.potential, &position)?;
-            let dissipation = sums
-                .dissipation
-                .derivative_of(&self.dissipation, &velocity)?;
-            let terms = [
-                kinetic.negated(),
-                potential,
-                dissipation,
-                Normal::of(force)?.negated(),
-            ];
-            let inertia = momentum.time_derivative(&moving)?;
-            terms.iter().try_fold(inertia, |sum, term| sum.plus(term))
-        };
         self.coordinates
             .iter()
             .zip(&self.forces)
-            .map(residual)
+            .map(|(name, force)| {
+                let (position, velocity) = (Variable::of(name, 0), Variable::of(name, 1));
+                let momentum = sums.kinetic.derivative_of(&self.kinetic, &velocity)?;
+                let kinetic = sums.kinetic.derivative_of(&self.kinetic, &position)?;
+                let potential = sums.potential.derivative_of(&self.potential, &position)?;
+                let dissipation = sums
+                    .dissipation
+                    .derivative_of(&self.dissipation, &velocity)?;
+                let terms = [
+                    kinetic.negated(),
+                    potential,
+                    dissipation,
+                    Normal::of(force)?.negated(),
+                ];
+                let inertia = momentum.time_derivative(&moving)?;
+                terms.iter().try_fold(inertia, |sum, term| sum.plus(term))
+            })
             .collect()
     }
 }

@@ -151,10 +151,12 @@ impl RestPoint {
             }
             Normal::of(&self.position.apply(&at_rest.to_expr(&Order::new()))?)
         };
-        let row = |residual: &Normal| {
-            let names = coordinates.iter();
-            names.map(|name| slope(residual, name)).collect()
-        };
-        residuals.iter().map(row).collect()
+        residuals
+            .iter()
+            .map(|residual| {
+                let names = coordinates.iter();
+                names.map(|name| slope(residual, name)).collect()
+            })
+            .collect()
     }
 }

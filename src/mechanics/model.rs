@@ -282,11 +282,13 @@ impl Model {
 
     fn matrix(&self, of: impl Fn(&Linear) -> &Matrix) -> Option<Expr> {
         let rows = of(self.linear.as_ref()?).iter();
-        let row = |row: &Vec<Normal>| {
-            let entries = row.iter().map(|own| own.to_expr(&self.order));
-            Expr::array(entries.collect::<Vec<_>>())
-        };
-        Some(Expr::array(rows.map(row).collect::<Vec<_>>()))
+        Some(Expr::array(
+            rows.map(|row| {
+                let entries = row.iter().map(|own| own.to_expr(&self.order));
+                Expr::array(entries.collect::<Vec<_>>())
+            })
+            .collect::<Vec<_>>(),
+        ))
     }
 
     /// A quantity as a formula in the names of the model, where it has one.

@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 
 use super::definition::Definition;
-use crate::expr::{Expr, Kind, Name, Order};
+use crate::expr::{Kind, Name, Order};
 use crate::unit::Dimension;
 
 /// Coordinates move; constants come as textbooks print them: `m g l`, `k l²`, `m U Ω²`.
@@ -57,14 +57,13 @@ fn names_by_appearance(definition: &Definition) -> Vec<Name> {
         .into_iter()
         .chain(named.map(|(_, formula)| formula))
     {
-        let mut visit = |node: &Expr| {
+        formula.walk(&mut |node| {
             if let Kind::Name(name) = node.kind()
                 && known.insert(name.clone())
             {
                 names.push(name.clone());
             }
-        };
-        formula.walk(&mut visit);
+        });
     }
     names
 }

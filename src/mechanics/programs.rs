@@ -88,13 +88,12 @@ impl Compiled {
     }
 
     pub(crate) fn ready(&self, names: &Slots) -> Result<&Ready, Unavailable> {
-        let compile = || {
-            let program = Program::compile(&self.formula.written(), names)?;
-            let slots = program.slots();
-            Ok(Ready { program, slots })
-        };
         self.program
-            .get_or_init(compile)
+            .get_or_init(|| {
+                let program = Program::compile(&self.formula.written(), names)?;
+                let slots = program.slots();
+                Ok(Ready { program, slots })
+            })
             .as_ref()
             .map_err(Clone::clone)
     }

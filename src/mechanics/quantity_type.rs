@@ -122,6 +122,7 @@ fn typed(shape: Shape, dimensions: Vec<Option<Dimension>>) -> QuantityType {
         field: Field::Real,
         shape,
     };
-    let pure = || Type::uniform(form, Dimension::PURE);
-    QuantityType::Number(Type::each(form, dimensions).unwrap_or_else(pure))
+    QuantityType::Number(
+        Type::each(form, dimensions).unwrap_or_else(|| Type::uniform(form, Dimension::PURE)),
+    )
 }

@@ -73,12 +73,14 @@ impl Finder<'_> {
 
     /// The derivatives of a formula that is linear in the coordinates and free of time.
     fn row(&self, expr: &Expr) -> Option<Vec<Expr>> {
-        let derivative = |name: &Name| {
-            let slope = Normal::of(&differentiate(expr, Variable::of(name, 0)).ok()?).ok()?;
-            let is_constant = !self.names.iter().any(|name| slope.mentions(name));
-            is_constant.then(|| slope.to_expr(&crate::expr::Order::new()))
-        };
-        self.coordinates.iter().map(derivative).collect()
+        self.coordinates
+            .iter()
+            .map(|name| {
+                let slope = Normal::of(&differentiate(expr, Variable::of(name, 0)).ok()?).ok()?;
+                let is_constant = !self.names.iter().any(|name| slope.mentions(name));
+                is_constant.then(|| slope.to_expr(&crate::expr::Order::new()))
+            })
+            .collect()
     }
 
     fn is_constant(&self, expr: &Expr) -> bool {

@@ -64,10 +64,6 @@ pub fn form(
     practice: &Practice,
     readers: &[Compiled],
 ) -> Result<String, OutputError> {
-    let fail = |message: String| OutputError::Page {
-        layout: "form.html".to_owned(),
-        message,
-    };
     let script = &unspaced(
         &[
             layouts::text("page/common.js"),
@@ -86,8 +82,9 @@ pub fn form(
     .concat();
     let said = texts(&practice.language);
     let words: serde_json::Value =
-        serde_json::from_str(said).map_err(|error| fail(error.to_string()))?;
-    let json = serde_json::to_string(sheet).map_err(|error| fail(error.to_string()))?;
+        serde_json::from_str(said).map_err(|error| OutputError::page("form.html", error))?;
+    let json =
+        serde_json::to_string(sheet).map_err(|error| OutputError::page("form.html", error))?;
     let questions: Vec<FormQuestionView<'_>> = sheet.questions.iter().map(view).collect();
     let lines = practice.lines(readers);
     let items = miniz_oxide::deflate::compress_to_vec(lines.as_bytes(), LEVEL);
@@ -95,7 +92,7 @@ pub fn form(
     let mut tera = Tera::default();
     tera.autoescape_on(vec![".html"]);
     tera.add_raw_template("form.html", layouts::text("form/form.html"))
-        .map_err(|error| fail(error.to_string()))?;
+        .map_err(|error| OutputError::page("form.html", error))?;
     let mut context = Context::new();
     context.insert("language", &practice.language);
     context.insert("title", &sheet.title);
@@ -117,7 +114,7 @@ pub fn form(
         &STANDARD.encode(Sha256::digest(script.as_bytes())),
     );
     tera.render("form.html", &context)
-        .map_err(|error| fail(error.to_string()))
+        .map_err(|error| OutputError::page("form.html", error))
 }
 
 fn view(question: &FormQuestion) -> FormQuestionView<'_> {

@@ -207,15 +207,17 @@ impl<'a> KeyLine<'a> {
         let is_wide = variants
             .iter()
             .any(|own| own.keys.widths[part] > CELL_WIDTH);
-        let cell = |own: &'a KeyColumn| Cell {
-            code: heading.unwrap_or(&own.code),
-            text: &own.keys.cells[part],
-        };
         KeyLine {
             part: &first.parts[part],
             same: if is_same { &first.cells[part] } else { "" },
             wide: variants.len() > 1 && is_wide,
-            cells: variants.iter().map(cell).collect(),
+            cells: variants
+                .iter()
+                .map(|own| Cell {
+                    code: heading.unwrap_or(&own.code),
+                    text: &own.keys.cells[part],
+                })
+                .collect(),
         }
     }
 }
@@ -229,7 +231,6 @@ pub fn key_row(pages: &Pages, sheet: &Sheet<'_>) -> KeyRow {
     for question in &sheet.questions {
         let scene = Scene::of(&question.solution, pages.run.data).spoken(pages.run.spoken());
         let template = question.solution.template();
-        let is_by_hand = |place: usize| template.parts[place].answer.kind().is_by_hand();
         let mut keys = QuestionKeys {
             number: question.number,
             item: template.id.to_string(),
@@ -243,7 +244,9 @@ pub fn key_row(pages: &Pages, sheet: &Sheet<'_>) -> KeyRow {
                     key.plain().chars().count(),
                 ),
                 Ok(None) => phrase(&words.in_the_solution),
-                Err(_) if is_by_hand(*place) => phrase(&words.by_hand),
+                Err(_) if template.parts[*place].answer.kind().is_by_hand() => {
+                    phrase(&words.by_hand)
+                }
                 Err(_) => (pages.writer.words("–"), 1),
             };
             let part = format!("{}{}", question.number, heading.letter);

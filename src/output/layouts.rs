@@ -33,6 +33,16 @@ pub enum OutputError {
     },
 }
 
+impl OutputError {
+    /// What went wrong in filling a layout.
+    pub(crate) fn page(layout: &str, error: impl std::fmt::Display) -> Self {
+        Self::Page {
+            layout: layout.to_owned(),
+            message: error.to_string(),
+        }
+    }
+}
+
 /// The layouts of one format.
 pub struct Layouts {
     tera: Tera,
@@ -115,12 +125,11 @@ impl Layouts {
     /// Fills the layout `name`.
     pub(crate) fn fill(&self, name: &str, content: &impl Serialize) -> Result<String, OutputError> {
         let layout = format!("{name}.{}", self.ending);
-        let fail = |error: tera::Error| OutputError::Page {
-            layout: layout.clone(),
-            message: error.to_string(),
-        };
-        let context = Context::from_serialize(content).map_err(fail)?;
-        self.tera.render(&layout, &context).map_err(fail)
+        let context =
+            Context::from_serialize(content).map_err(|error| OutputError::page(&layout, error))?;
+        self.tera
+            .render(&layout, &context)
+            .map_err(|error| OutputError::page(&layout, error))
     }
 }
 

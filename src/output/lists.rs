@@ -178,7 +178,6 @@ fn row_view(pages: &Pages, place: usize, whose: &Whose, roll: Roll<'_>) -> RowVi
         };
     };
     let is_group = matches!(whose, Whose::Group(_));
-    let words = |words: &str| pages.placed(pages.run.plain_name(words));
     let phrases = pages.run.words;
     let large = student.type_size.map(|size| phrases.large_print(size));
     let extra = Some(&student.extra_time).filter(|time| !time.is_empty());
@@ -187,13 +186,13 @@ fn row_view(pages: &Pages, place: usize, whose: &Whose, roll: Roll<'_>) -> RowVi
     RowView {
         number,
         code,
-        seat: words(&student.seat),
+        seat: pages.placed(pages.run.plain_name(&student.seat)),
         name: pages.placed(pages.run.name(&student.name, &student.id)),
-        student: words(&student.id),
+        student: pages.placed(pages.run.plain_name(&student.id)),
         group: if is_group {
             String::new()
         } else {
-            words(&student.group)
+            pages.placed(pages.run.plain_name(&student.group))
         },
         note: pages.placed(&notes.join("; ")),
     }

@@ -54,12 +54,8 @@ fn page(
         "/**",
     );
     let texts = texts(&practice.language);
-    let fail = |message: String| OutputError::Page {
-        layout: "page.html".to_owned(),
-        message,
-    };
     let words: serde_json::Value =
-        serde_json::from_str(texts).map_err(|error| fail(error.to_string()))?;
+        serde_json::from_str(texts).map_err(|error| OutputError::page("page.html", error))?;
     let instructions = practice.instructions.html(
         &Vec::<Filling>::new(),
         Language::of(&practice.language).unwrap_or_default().voice(),
@@ -74,7 +70,7 @@ fn page(
     let mut tera = Tera::default();
     tera.autoescape_on(vec![".html"]);
     tera.add_raw_template("page.html", layouts::text("page/page.html"))
-        .map_err(|error| fail(error.to_string()))?;
+        .map_err(|error| OutputError::page("page.html", error))?;
     let mut context = Context::new();
     context.insert("language", &practice.language);
     context.insert("title", &practice.title);
@@ -95,7 +91,7 @@ fn page(
     context.insert("items", &base93(&items));
     context.insert("grader", &base93(GRADER));
     tera.render("page.html", &context)
-        .map_err(|error| fail(error.to_string()))
+        .map_err(|error| OutputError::page("page.html", error))
 }
 
 /// A program or a style without indents, empty lines, and lines that are a comment; it travels in every page.

@@ -308,8 +308,10 @@ fn facts(pages: &Pages, summary: &Summary) -> Vec<[String; 2]> {
     }
     let reliability = summary.reliability;
     let reliability = reliability.map(|alpha| pages.run.marked(&signed(alpha)));
-    let none = || words.no_reliability.clone();
-    fact(&words.reliability, reliability.unwrap_or_else(none));
+    fact(
+        &words.reliability,
+        reliability.unwrap_or_else(|| words.no_reliability.clone()),
+    );
     if summary.undecided > 0 {
         let [count, all] = [summary.undecided, summary.sheets].map(|own| own.to_string());
         let sheets = filled(&words.left_out, &[("count", &count), ("all", &all)]);

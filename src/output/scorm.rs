@@ -92,10 +92,7 @@ pub fn scorm(
         (DESCRIPTION, stored),
     ];
     let files = files.iter().map(|(name, text)| (*name, text.as_bytes()));
-    archive(files).map_err(|error| OutputError::Page {
-        layout: "scorm".to_owned(),
-        message: error.to_string(),
-    })
+    archive(files).map_err(|error| OutputError::page("scorm", error))
 }
 
 fn json(value: &impl Serialize) -> String {
@@ -104,17 +101,14 @@ fn json(value: &impl Serialize) -> String {
 
 fn manifest(practice: &Practice, package: &Package, version: Scorm) -> Result<String, OutputError> {
     let layout = format!("imsmanifest-{}.xml", version.name());
-    let fail = |error: tera::Error| OutputError::Page {
-        layout: layout.clone(),
-        message: error.to_string(),
-    };
     let mut tera = Tera::default();
     tera.autoescape_on(vec![".xml"]);
     tera.add_raw_template(&layout, layouts::text(&format!("page/{layout}")))
-        .map_err(fail)?;
+        .map_err(|error| OutputError::page(&layout, error))?;
     let mut context = Context::new();
     context.insert("id", &package.id);
     context.insert("title", &practice.title);
     context.insert("description", DESCRIPTION);
-    tera.render(&layout, &context).map_err(fail)
+    tera.render(&layout, &context)
+        .map_err(|error| OutputError::page(&layout, error))
 }

@@ -81,10 +81,7 @@ pub fn textbook_body(
 ) -> Result<String, (usize, TextbookError)> {
     let chapters = chapters.iter().enumerate();
     let chapters = chapters
-        .map(|(place, text)| {
-            let chapter = chapter(pages, text, catalogue);
-            chapter.map_err(|error| (place, error))
-        })
+        .map(|(place, text)| chapter(pages, text, catalogue).map_err(|error| (place, error)))
         .collect::<Result<_, _>>()?;
     let content = CoursePage {
         run: &pages.run,
@@ -174,11 +171,11 @@ fn picture(
             let picture = picture.map_err(|error: Undrawn| fail(error.to_string()))?;
             picture.svg("plot", &pages.run.spoken())
         }
-        None => {
-            let picture = scene.picture();
-            let missing = || fail(format!("`{}` has no figure", template.id));
-            picture.ok_or_else(missing)?.svg.clone()
-        }
+        None => scene
+            .picture()
+            .ok_or_else(|| fail(format!("`{}` has no figure", template.id)))?
+            .svg
+            .clone(),
     };
     Ok(pages.writer.figure(&svg))
 }
@@ -206,10 +203,9 @@ fn known<'c>(
     line: usize,
     item: &str,
 ) -> Result<&'c Template, TextbookError> {
-    let message = || format!("there is no item `{item}` in the bank");
     catalogue.find(item).ok_or_else(|| TextbookError::Line {
         line,
-        message: message(),
+        message: format!("there is no item `{item}` in the bank"),
     })
 }
 

@@ -51,10 +51,9 @@ const MARKS: usize = 13;
 
 /// Columns of the table of marks in type of a size in points, where it is not the usual one of 10.5.
 fn columns(size: Option<u8>) -> usize {
-    let large = size
-        .filter(|size| *size > 10)
-        .map_or(MARKS, |size| MARKS * 21 / (2 * usize::from(size)));
-    large.clamp(3, MARKS)
+    size.filter(|size| *size > 10)
+        .map_or(MARKS, |size| MARKS * 21 / (2 * usize::from(size)))
+        .clamp(3, MARKS)
 }
 
 #[derive(Default, Serialize)]
@@ -364,7 +363,6 @@ impl<'p> View<'p> {
 
     fn shown(&self, scene: &Scene<'_, '_>, question: &SheetQuestion<'_>) -> QuestionView {
         let template = question.solution.template();
-        let texts = |passage| self.texts(scene, passage);
         let mut view = QuestionView {
             number: question.number,
             title: self.placed(&template.about.title),
@@ -372,7 +370,7 @@ impl<'p> View<'p> {
             ..QuestionView::default()
         };
         if self.kind != PageKind::Key {
-            view.statement = texts(&template.statement);
+            view.statement = self.texts(scene, &template.statement);
             if self.run.figures
                 && !template.statement.places_figure()
                 && let Some(picture) = scene.picture()
@@ -383,10 +381,10 @@ impl<'p> View<'p> {
             }
         }
         if self.kind == PageKind::Solutions && !template.solution.is_empty() {
-            view.solution = texts(&template.solution);
+            view.solution = self.texts(scene, &template.solution);
         }
         if self.kind == PageKind::Key && !template.notes.is_empty() {
-            view.notes = texts(&template.notes);
+            view.notes = self.texts(scene, &template.notes);
         }
         let instance = question.solution.instance();
         view.identity = match self.kind {
@@ -397,9 +395,10 @@ impl<'p> View<'p> {
         };
         let headings = headings(template, &question.parts);
         let parts = question.parts.iter().zip(&question.points);
-        let has_space = |space: &Space| self.kind == PageKind::Sheet && *space != Space::None;
         let spaces = question.spaces.iter().copied();
-        let spaces = spaces.map(|space| Some(space).filter(has_space));
+        let spaces = spaces.map(|space| {
+            Some(space).filter(|space| self.kind == PageKind::Sheet && *space != Space::None)
+        });
         let keys = self
             .keys
             .and_then(|row| row.questions.get(question.number - 1));
@@ -496,8 +495,8 @@ impl<'p> View<'p> {
             }
             PageKind::Key | PageKind::Solutions => match scene.key(place) {
                 Ok(Some(key)) => {
-                    let write = || self.writer.math(&key, self.run.voice());
-                    view.key = written.map_or_else(write, String::clone);
+                    view.key = written
+                        .map_or_else(|| self.writer.math(&key, self.run.voice()), String::clone);
                     view.accepted = self.accepted(solution, place);
                 }
                 Ok(None) if self.kind == PageKind::Solutions => {}
@@ -565,19 +564,18 @@ impl<'p> View<'p> {
             }
             PageKind::Sheet | PageKind::Key | PageKind::Solutions => Vec::new(),
         };
-        let option = |(position, at): (usize, usize)| {
-            let option = &options[at];
-            OptionView {
-                letter: letter(position),
-                text: self.writer.line(&option.text, self.run.voice()),
-                right: right.contains(&option.id),
-            }
-        };
         solution
             .order(place)
             .into_iter()
             .enumerate()
-            .map(option)
+            .map(|(position, at)| {
+                let option = &options[at];
+                OptionView {
+                    letter: letter(position),
+                    text: self.writer.line(&option.text, self.run.voice()),
+                    right: right.contains(&option.id),
+                }
+            })
             .collect()
     }
 }

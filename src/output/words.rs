@@ -169,9 +169,11 @@ pub(crate) struct ReportWords {
 
 /// A phrase with its places filled: `{count}` by the value of `count`.
 pub(crate) fn filled(phrase: &str, values: &[(&str, &str)]) -> String {
-    let fill =
-        |text: String, (name, value): &(&str, &str)| text.replace(&format!("{{{name}}}"), value);
-    values.iter().fold(phrase.to_owned(), fill)
+    values
+        .iter()
+        .fold(phrase.to_owned(), |text, (name, value)| {
+            text.replace(&format!("{{{name}}}"), value)
+        })
 }
 
 impl Words {

@@ -144,8 +144,7 @@ impl<'g> Evaluation<'g> {
     ///
     /// As [`Self::value`]; what is not a real number has no value either.
     pub fn real(&self, id: NodeId) -> Result<f64, Absent> {
-        let value = self.value(id)?;
-        value
+        self.value(id)?
             .as_real()
             .ok_or_else(|| self.undefined(id, Undefined::NotReal))
     }
@@ -192,8 +191,7 @@ impl<'g> Evaluation<'g> {
 
     /// What was computed so far, and what was not.
     pub fn trace(&self) -> Trace {
-        let computed = |id: &NodeId| self.values[id.index()].get().is_some();
-        Trace::of(self.graph, computed)
+        Trace::of(self.graph, |id| self.values[id.index()].get().is_some())
     }
 
     /// How far rounding in the steps between data and this value can move it, entry by entry:

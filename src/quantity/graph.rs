@@ -269,10 +269,9 @@ impl Graph {
     /// The quantities on which a node depends, itself left out.
     pub fn steps(&self, id: NodeId) -> Vec<NodeId> {
         let names = self.reach(id).iter();
-        let nodes = names
+        names
             .filter_map(|name| self.find(name))
-            .filter(|step| *step != id);
-        nodes
+            .filter(|step| *step != id)
             .filter(|step| matches!(self.node(*step).role, NodeRole::Quantity(_)))
             .collect()
     }
@@ -369,8 +368,9 @@ impl Graph {
         if !node.is_plain {
             return node.computation.get()?.as_ref();
         }
-        let translated = || self.link(node.expr()?).ok();
-        node.computation.get_or_init(translated).as_ref()
+        node.computation
+            .get_or_init(|| self.link(node.expr()?).ok())
+            .as_ref()
     }
 
     /// Adds a system under the beginning of its paths, `model` or `models.relative`.

@@ -362,8 +362,7 @@ fn is_factor(expr: &Expr) -> bool {
         Kind::Number(number) => *number != Rational::ONE && !number.is_zero(),
         Kind::Constant(constant) => *constant == Constant::Pi,
         Kind::Binary(Operator::Multiply | Operator::Divide, a, b) => {
-            let is_plain = |expr: &Expr| is_factor(expr) || expr.is_one();
-            is_plain(a) && is_plain(b)
+            (is_factor(a) || a.is_one()) && (is_factor(b) || b.is_one())
         }
         _ => false,
     }

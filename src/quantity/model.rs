@@ -258,7 +258,7 @@ fn offer(graph: &mut Graph, path: &Path) -> Result<NodeId, Option<GraphError>> {
     if let Some(id) = graph.paths.get(path) {
         return Ok(*id);
     }
-    let unknown = || {
+    let system = graph.model_of(path).ok_or_else(|| {
         let nearest =
             nearest(&beginning(path), graph.models.keys().map(AsRef::as_ref)).map(str::to_owned);
         Some(GraphError::Check(CheckError::UnknownPath {
@@ -266,19 +266,17 @@ fn offer(graph: &mut Graph, path: &Path) -> Result<NodeId, Option<GraphError>> {
             nearest,
             span: crate::source::Span::NONE,
         }))
-    };
-    let system = graph.model_of(path).ok_or_else(unknown)?;
+    })?;
     let model = graph
         .system(system)
         .and_then(|own| own.model.clone())
         .ok_or(None)?;
-    let fail = |error| {
+    let quantity = model.quantity(rest(path)).map_err(|error| {
         Some(GraphError::Offer {
             error,
             span: crate::source::Span::NONE,
         })
-    };
-    let quantity = model.quantity(rest(path)).map_err(fail)?;
+    })?;
     let quantity_type = QuantityType::of(&model, quantity);
     let kind = match &quantity_type {
         QuantityType::Formula(kind) | QuantityType::Number(kind) => Some(kind.clone()),

@@ -4,7 +4,7 @@ use super::error::GraphError;
 use super::graph::{Graph, NodeId, NodeRole};
 use super::link::NodeOrder;
 use super::model;
-use crate::expr::{Expr, Kind, Name, Names, Path, Shape, Type, Variable};
+use crate::expr::{Expr, Kind, Name, Names, Shape, Type, Variable};
 
 /// What a settled node takes: names, and nodes that bring along theirs.
 #[derive(Debug)]
@@ -85,11 +85,11 @@ fn is_plain(graph: &Graph, expr: &Expr, names: &Names) -> bool {
     let is_free = |variable: &Variable| {
         variable.order == 0 && graph.find(&variable.name).is_some_and(is_number)
     };
-    let is_offered = |path: &Path| {
-        let node = graph.paths.get(path).copied();
-        node.is_some_and(|id| graph.is_offered_number(id) && is_number(id))
-    };
-    let mut is_plain = names.free.iter().all(is_free) && names.paths.iter().all(is_offered);
+    let mut is_plain = names.free.iter().all(is_free)
+        && names.paths.iter().all(|path| {
+            let node = graph.paths.get(path).copied();
+            node.is_some_and(|id| graph.is_offered_number(id) && is_number(id))
+        });
     expr.walk(&mut |node| {
         is_plain &= !matches!(
             node.kind(),

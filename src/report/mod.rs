@@ -215,15 +215,14 @@ impl Report {
             // 0.3 of the points lies in the fourth tenth, however it was rounded.
             tenths[((share * 10.0 + 1e-9) as usize).min(9)] += 1;
         }
-        let quantile = |share| quantile(&sorted, share);
         Some(Distribution {
             mean: moments.mean()?,
             deviation: moments.deviation(),
-            lowest: quantile(0.0)?,
-            lower_quartile: quantile(0.25)?,
-            median: quantile(0.5)?,
-            upper_quartile: quantile(0.75)?,
-            highest: quantile(1.0)?,
+            lowest: quantile(&sorted, 0.0)?,
+            lower_quartile: quantile(&sorted, 0.25)?,
+            median: quantile(&sorted, 0.5)?,
+            upper_quartile: quantile(&sorted, 0.75)?,
+            highest: quantile(&sorted, 1.0)?,
             tenths,
         })
     }

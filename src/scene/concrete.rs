@@ -63,9 +63,8 @@ impl Concretizer<'_, '_> {
     }
 
     fn in_children(&self, expr: &Expr, depth: usize) -> Expr {
-        let mapped =
-            expr.try_map_children(&mut |child| Ok::<_, Infallible>(self.concrete(child, depth)));
-        mapped.unwrap_or_else(|never| match never {})
+        expr.try_map_children(&mut |child| Ok::<_, Infallible>(self.concrete(child, depth)))
+            .unwrap_or_else(|never| match never {})
     }
 
     /// The formula of a quantity that moves with time.
@@ -141,11 +140,9 @@ impl Folded<'_, '_> {
                     (_, None) => first - second,
                 }
             }
-            _ => {
-                let mapped =
-                    expr.try_map_children(&mut |child| Ok::<_, Infallible>(self.fold(child)));
-                mapped.unwrap_or_else(|never| match never {})
-            }
+            _ => expr
+                .try_map_children(&mut |child| Ok::<_, Infallible>(self.fold(child)))
+                .unwrap_or_else(|never| match never {}),
         }
     }
 

@@ -207,14 +207,15 @@ fn printed(scene: &Scene<'_, '_>, value: &Value, info: &QuantityInfo, has_unit: 
                 list.in_parentheses()
             }
         }
-        Shape::Matrix(rows, columns) => {
-            let row = |row: usize| {
-                (0..columns)
-                    .map(|column| cell(scene, value, row * columns + column, info, one))
-                    .collect()
-            };
-            Math::matrix((0..rows).map(row).collect())
-        }
+        Shape::Matrix(rows, columns) => Math::matrix(
+            (0..rows)
+                .map(|row| {
+                    (0..columns)
+                        .map(|column| cell(scene, value, row * columns + column, info, one))
+                        .collect()
+                })
+                .collect(),
+        ),
     };
     match one.filter(|unit| has_unit && !unit.is_one()) {
         Some(unit) => Math::row([body, Math::thin_space(), unit.math()]),

@@ -20,12 +20,11 @@ pub(crate) struct SetChain {
 
 /// The lines, aligned at their relations where the left sides are short; long sums continue on the next line.
 pub(crate) fn aligned(lines: &[SetChain]) -> Vec<[Math; 2]> {
-    let is_short = |line: &SetChain| {
+    let has_short_sides = lines.iter().all(|line| {
         line.sides
             .first()
             .is_none_or(|left| width(left) <= MAX_LEFT_LENGTH)
-    };
-    let has_short_sides = lines.iter().all(is_short);
+    });
     let mut rows: Vec<[Math; 2]> = Vec::new();
     for line in lines {
         let count = line.sides.len();
@@ -80,8 +79,9 @@ pub(crate) fn aligned(lines: &[SetChain]) -> Vec<[Math; 2]> {
             pieces.extend(parts);
         }
         let pieces = pieces.into_iter().enumerate();
-        let piece = |(at, piece)| [Math::row([]), if at == 0 { piece } else { further(piece) }];
-        rows.extend(pieces.map(piece));
+        rows.extend(
+            pieces.map(|(at, piece)| [Math::row([]), if at == 0 { piece } else { further(piece) }]),
+        );
     }
     rows
 }
@@ -208,10 +208,11 @@ fn width(math: &Math) -> usize {
         }
         Math::Stack { base, .. } | Math::Accent { base, .. } => width(base),
         Math::Fence { body, .. } => width(body) + 2,
-        Math::Table { rows, .. } => {
-            let row = |row: &Vec<Math>| row.iter().map(|cell| width(cell) + 2).sum();
-            rows.iter().map(row).max().unwrap_or(0)
-        }
+        Math::Table { rows, .. } => rows
+            .iter()
+            .map(|row| row.iter().map(|cell| width(cell) + 2).sum())
+            .max()
+            .unwrap_or(0),
         Math::Hole(_) => 1,
     }
 }

@@ -144,15 +144,14 @@ impl<'s, 't> Scene<'s, 't> {
     /// The pieces of a text whose conditions hold.
     pub fn passage<'p>(&self, passage: &'p Passage) -> Vec<Shown<'p>> {
         let evaluation = self.solution.evaluation();
-        let holds = |piece: &&Piece| {
-            piece
-                .when
-                .is_none_or(|when| evaluation.holds(when) == Ok(true))
-        };
         passage
             .pieces
             .iter()
-            .filter(holds)
+            .filter(|piece| {
+                piece
+                    .when
+                    .is_none_or(|when| evaluation.holds(when) == Ok(true))
+            })
             .map(|piece| self.piece(piece))
             .collect()
     }
@@ -214,11 +213,10 @@ impl<'s, 't> Scene<'s, 't> {
     /// The given data as one printed list, for sheets whose statement shows symbols alone.
     pub fn values(&self) -> Vec<(Math, Math)> {
         let template = self.solution.template();
-        let pairs = template
+        template
             .parameters
             .iter()
-            .zip(self.solution.instance().values());
-        pairs
+            .zip(self.solution.instance().values())
             .map(|(parameter, value)| {
                 (
                     Math::clone(&parameter.symbol),

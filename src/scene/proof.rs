@@ -66,13 +66,12 @@ pub fn unfree(solution: &Solution<'_>) -> Option<Finding> {
 /// Where a placeholder stands in the file.
 fn definition(template: &Template, path: &str) -> Span {
     let text = &*template.source.text;
-    let found = text
-        .match_indices("<<")
-        .find(|(at, _)| text[at + 2..].trim_start().starts_with(path));
-    found.map_or(Span::NONE, |(at, _)| {
-        let length = text[at..].find(">>").map_or(2, |end| end + 2);
-        Span::new(at, at + length)
-    })
+    text.match_indices("<<")
+        .find(|(at, _)| text[at + 2..].trim_start().starts_with(path))
+        .map_or(Span::NONE, |(at, _)| {
+            let length = text[at..].find(">>").map_or(2, |end| end + 2);
+            Span::new(at, at + length)
+        })
 }
 
 impl Diagnose for Underived {

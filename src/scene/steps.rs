@@ -53,14 +53,14 @@ fn chain(scene: &Scene<'_, '_>, line: &Line) -> SetChain {
 fn set_side(side: &LineSide, notation: &dyn Notation) -> Math {
     match side {
         LineSide::Formula(formula) => formula.typeset(notation),
-        LineSide::Determinant(rows) => {
-            let row = |row: &Vec<Expr>| row.iter().map(|own| own.typeset(notation)).collect();
-            let table = Math::Table {
-                rows: rows.iter().map(row).collect(),
-                kind: TableKind::Matrix,
-            };
-            table.fenced("|", "|")
+        LineSide::Determinant(rows) => Math::Table {
+            rows: rows
+                .iter()
+                .map(|row| row.iter().map(|own| own.typeset(notation)).collect())
+                .collect(),
+            kind: TableKind::Matrix,
         }
+        .fenced("|", "|"),
         LineSide::Terms(terms) if terms.is_empty() => Math::number("0"),
         LineSide::Terms(terms) => {
             let mut row = Vec::new();

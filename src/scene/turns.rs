@@ -20,8 +20,7 @@ const LAST_LINES: usize = 2;
 const MAX_POINTS: usize = 500;
 
 pub(crate) fn filling(scene: &Scene<'_, '_>, path: &Path) -> Filling {
-    let evaluation = scene.solution.evaluation();
-    let Some(turns) = evaluation.turning_points(path, MAX_POINTS) else {
+    let Some(turns) = scene.solution.evaluation().turning_points(path, MAX_POINTS) else {
         return Filling::Steps(Vec::new());
     };
     let digits = u32::from(scene.solution.template().about.digits);
@@ -78,9 +77,8 @@ fn units(dimension: Dimension) -> (Unit, Unit) {
     } else if dimension == Dimension::PURE {
         (unit("rad"), unit("N m"))
     } else {
-        let coherent = |dimension: Dimension| unit(&dimension.describe());
         let force = unit("J").dimension() / dimension;
-        (coherent(dimension), coherent(force))
+        (unit(&dimension.describe()), unit(&force.describe()))
     }
 }
 

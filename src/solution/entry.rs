@@ -110,7 +110,6 @@ fn quantity_entry(
             ..Entry::of(kind)
         };
     }
-    let unit = |shape| info.units.as_ref().map(|own| units(own, shape));
     if !variables.is_empty() {
         let function = solution.evaluation().function(node);
         let samples = function.map(|function| {
@@ -121,7 +120,7 @@ fn quantity_entry(
             Nested::List(at.iter().map(sample).collect())
         });
         let entry = Entry {
-            unit: unit(Shape::Scalar),
+            unit: info.units.as_ref().map(|own| units(own, Shape::Scalar)),
             at: Some(at.iter().map(|time| time.high()).collect()),
             ..Entry::of(kind)
         };
@@ -129,7 +128,7 @@ fn quantity_entry(
     }
     let shape = graph.kind(node).map_or(Shape::Scalar, Type::shape);
     let entry = Entry {
-        unit: unit(shape),
+        unit: info.units.as_ref().map(|own| units(own, shape)),
         ..Entry::of(kind)
     };
     entry.with_value(solution.evaluation().value(node).map(numbers))
@@ -164,17 +163,17 @@ fn part_entry(solution: &Solution<'_>, kind: &'static str, place: usize) -> Entr
                 ..entry
             }
         }
-        Ok(KeyValue::Intervals { pieces, text }) => {
-            let piece = |([from, to], open): ([Option<f64>; 2], [bool; 2])| {
-                Nested::One(Number::Interval { from, to, open })
-            };
-            Entry {
-                unit: unit(),
-                si: Some(Nested::List(pieces.into_iter().map(piece).collect())),
-                text: Some(text),
-                ..entry
-            }
-        }
+        Ok(KeyValue::Intervals { pieces, text }) => Entry {
+            unit: unit(),
+            si: Some(Nested::List(
+                pieces
+                    .into_iter()
+                    .map(|([from, to], open)| Nested::One(Number::Interval { from, to, open }))
+                    .collect(),
+            )),
+            text: Some(text),
+            ..entry
+        },
         Ok(KeyValue::Formula { text, latex }) => Entry {
             text: Some(text),
             latex: Some(latex),
@@ -240,17 +239,18 @@ fn numbers(value: &Value) -> Nested<Number> {
     match shape {
         Shape::Scalar => entry(0),
         Shape::Vector(length) => Nested::List((0..length).map(entry).collect()),
-        Shape::Matrix(rows, columns) => {
-            let row = |row: usize| {
-                let columns = 0..columns;
-                Nested::List(
-                    columns
-                        .clone()
-                        .map(|column| entry(row * columns.len() + column))
-                        .collect(),
-                )
-            };
-            Nested::List((0..rows).map(row).collect())
-        }
+        Shape::Matrix(rows, columns) => Nested::List(
+            (0..rows)
+                .map(|row| {
+                    let columns = 0..columns;
+                    Nested::List(
+                        columns
+                            .clone()
+                            .map(|column| entry(row * columns.len() + column))
+                            .collect(),
+                    )
+                })
+                .collect(),
+        ),
     }
 }

@@ -144,13 +144,12 @@ impl<'t> Solution<'t> {
         let holds = part
             .when
             .is_none_or(|when| self.evaluation.holds(when) == Ok(true));
-        let dropped = |absent: Absent| matches!(absent, Absent::NotForTheseData(_));
         holds
-            && !part
-                .answer
-                .keys()
-                .into_iter()
-                .any(|key| self.evaluation.exists_for(key).is_err_and(dropped))
+            && !part.answer.keys().into_iter().any(|key| {
+                self.evaluation
+                    .exists_for(key)
+                    .is_err_and(|absent| matches!(absent, Absent::NotForTheseData(_)))
+            })
     }
 
     /// The key of a part with all that marks it.
@@ -166,15 +165,16 @@ impl<'t> Solution<'t> {
     /// The key of a part in its other form, value or formula, with all that marks it but named mistakes; none for
     /// kinds with one form.
     pub(crate) fn other_marker(&self, place: usize) -> Option<&dyn Marker> {
-        let prepare = || {
-            let other = self.template().parts[place].answer.other_form()?;
-            let context = Context {
-                mistakes: Vec::new(),
-                ..self.context(place)
-            };
-            other.prepare(&context).ok()
-        };
-        self.others[place].get_or_init(prepare).as_deref()
+        self.others[place]
+            .get_or_init(|| {
+                let other = self.template().parts[place].answer.other_form()?;
+                let context = Context {
+                    mistakes: Vec::new(),
+                    ..self.context(place)
+                };
+                other.prepare(&context).ok()
+            })
+            .as_deref()
     }
 
     /// The key of a part as it is printed; what marks is prepared only where the key needs it.

@@ -196,10 +196,9 @@ fn definition(template: &Template, name: &Name) -> Span {
     let name = name.as_str();
     let mut start = 0;
     for line in text.split_inclusive('\n') {
-        let rest = line.strip_prefix(name).or_else(|| {
-            let header = line.strip_prefix("[quantities.")?;
-            header.strip_prefix(name)
-        });
+        let rest = line
+            .strip_prefix(name)
+            .or_else(|| line.strip_prefix("[quantities.")?.strip_prefix(name));
         if rest.is_some_and(|rest| rest.trim_start().starts_with(['=', ']'])) {
             return Span::new(start, start + line.trim_end().len());
         }
@@ -423,8 +422,7 @@ fn agree(
             written.unit
         };
         let si = |value: Decimal| {
-            let quantity = Quantity::new(value, unit);
-            quantity
+            Quantity::new(value, unit)
                 .si_for(&declared)
                 .map_err(|error| Disproof::Unreadable {
                     id: id.to_owned(),

@@ -149,9 +149,10 @@ pub(crate) fn read<T: DeserializeOwned>(line: &str) -> Result<T, Map<String, Jso
         let parts = serde_json::from_str(line).unwrap_or(Json::Null);
         (Refusal::new("json", message), parts)
     };
-    let is_plain = |value: &&Json| !value.is_object() && !value.is_array();
     let known = ["id", "tag"].into_iter().filter_map(|key| {
-        let value = parts.get(key).filter(is_plain)?;
+        let value = parts
+            .get(key)
+            .filter(|value| !value.is_object() && !value.is_array())?;
         Some((key.to_owned(), value.clone()))
     });
     let error = ("error".to_owned(), json!(refusal));
@@ -252,27 +253,29 @@ fn times(at: &[Json]) -> Result<Vec<Precise>, Refusal> {
             format!("more than {MAX_TIMES} times"),
         ));
     }
-    let time = |value: &Json| {
-        let decimal = Decimal::parse(&text_of("at", value)?)
-            .map_err(|error| Refusal::new("json", format!("`at`: {error}")))?;
-        let (high, low) = decimal.to_pair();
-        Ok(Precise::new(high, low, 0.0))
-    };
-    at.iter().map(time).collect()
+    at.iter()
+        .map(|value| {
+            let decimal = Decimal::parse(&text_of("at", value)?)
+                .map_err(|error| Refusal::new("json", format!("`at`: {error}")))?;
+            let (high, low) = decimal.to_pair();
+            Ok(Precise::new(high, low, 0.0))
+        })
+        .collect()
 }
 
 fn parameters(solution: &Solution<'_>) -> Vec<(String, SolvedDatum)> {
     let template = solution.template();
     let values = template.parameters.iter().zip(solution.instance().values());
-    let entry = |(parameter, value): (&crate::bank::Parameter, &crate::unit::Quantity)| {
-        let given = SolvedDatum {
-            value: value.value.to_f64(),
-            unit: unit_text(&value.unit),
-            si: parameter.si_pair(value).0,
-        };
-        (parameter.name.to_string(), given)
-    };
-    values.map(entry).collect()
+    values
+        .map(|(parameter, value)| {
+            let given = SolvedDatum {
+                value: value.value.to_f64(),
+                unit: unit_text(&value.unit),
+                si: parameter.si_pair(value).0,
+            };
+            (parameter.name.to_string(), given)
+        })
+        .collect()
 }
 
 fn unit_text(unit: &crate::unit::Unit) -> String {

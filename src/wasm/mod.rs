@@ -210,12 +210,13 @@ impl Grader {
 
 impl PageItem {
     fn template(&self) -> Result<&'static Template, String> {
-        let build = || -> Result<&'static Template, String> {
-            let compiled: Compiled =
-                serde_json::from_str(&self.line).map_err(|error| error.to_string())?;
-            let template = compiled.template().map_err(|error| error.to_string())?;
-            Ok(Box::leak(Box::new(template)))
-        };
-        self.template.get_or_init(build).clone()
+        self.template
+            .get_or_init(|| -> Result<&'static Template, String> {
+                let compiled: Compiled =
+                    serde_json::from_str(&self.line).map_err(|error| error.to_string())?;
+                let template = compiled.template().map_err(|error| error.to_string())?;
+                Ok(Box::leak(Box::new(template)))
+            })
+            .clone()
     }
 }

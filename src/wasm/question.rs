@@ -59,18 +59,19 @@ pub(crate) fn options(
     if options.is_empty() {
         return Vec::new();
     }
-    let option = |(at, place): (usize, usize)| {
-        let mut text = String::new();
-        let own = &options[place].text;
-        own.write_html_line(&mut text, &Vec::new(), voice);
-        ShownOption {
-            id: options[place].id.clone(),
-            letter: letter(at),
-            text,
-        }
-    };
     let order = solution.order(place).into_iter().enumerate();
-    order.map(option).collect()
+    order
+        .map(|(at, place)| {
+            let mut text = String::new();
+            let own = &options[place].text;
+            own.write_html_line(&mut text, &Vec::new(), voice);
+            ShownOption {
+                id: options[place].id.clone(),
+                letter: letter(at),
+                text,
+            }
+        })
+        .collect()
 }
 
 /// What a tap puts into an answer.

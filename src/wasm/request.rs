@@ -410,10 +410,10 @@ impl<'g> AskedInstance<'g> {
     }
 
     fn feedback(&self, place: usize, marking: &Marking) -> String {
-        let remarks = grade::remarks(&self.solution, place, marking, self.grader.language());
-        let html =
-            |remark: &grade::Comment| remark.document.html(&remark.fillings, self.grader.voice());
-        remarks.iter().map(html).collect()
+        grade::remarks(&self.solution, place, marking, self.grader.language())
+            .iter()
+            .map(|remark| remark.document.html(&remark.fillings, self.grader.voice()))
+            .collect()
     }
 
     fn hint(&self, id: &str, number: usize) -> Result<Reply, String> {

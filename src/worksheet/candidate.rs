@@ -134,8 +134,7 @@ fn entry_mark(entry: &QuestionEntry) -> u64 {
 /// The same of a question of a sheet.
 pub(crate) fn question_mark(question: &SheetQuestion<'_>) -> u64 {
     let instance = question.solution.instance();
-    let parameters = instance.template().parameters.iter();
-    let values = parameters.zip(instance.values());
+    let values = instance.template().parameters.iter().zip(instance.values());
     let values = values.map(|(parameter, value)| (parameter.name.to_string(), value.to_string()));
     item_mark(&instance.origin(), values.collect())
 }

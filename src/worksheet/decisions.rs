@@ -221,18 +221,17 @@ impl Decisions {
             .filter(|(_, decision)| is_off(&decision.effect))
             .map(|(subject, _)| (subject.item.as_str(), subject.part.as_str()))
             .collect();
-        let lacks = |(subject, decision): &(&Subject, &Decision)| {
-            let item = subject.item.as_str();
-            let mut together = handed_out.parts.get(item).into_iter().flatten();
-            decision.effect == Effect::Void(Void::Rescaled)
-                && together.any(|parts| {
-                    parts.iter().any(|(id, _)| *id == subject.part)
-                        && parts.iter().all(|(id, _)| off.contains(&(item, id)))
-                })
-        };
         let pairs = subjects.iter().zip(&self.decisions);
         pairs
-            .filter(lacks)
+            .filter(|(subject, decision)| {
+                let item = subject.item.as_str();
+                let mut together = handed_out.parts.get(item).into_iter().flatten();
+                decision.effect == Effect::Void(Void::Rescaled)
+                    && together.any(|parts| {
+                        parts.iter().any(|(id, _)| *id == subject.part)
+                            && parts.iter().all(|(id, _)| off.contains(&(item, id)))
+                    })
+            })
             .map(|(subject, decision)| {
                 let (item, span) = (subject.item.clone(), decision.span);
                 Finding::of(&DecisionError::NothingLeft { item, span }, &self.source)

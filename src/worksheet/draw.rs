@@ -116,16 +116,17 @@ fn pick<'c>(
     if let [one] = planned.candidates[..] {
         return one;
     }
-    let streams = Streams::of(Seed::new(variant.number()), "order");
-    let order = streams
+    let order = Streams::of(Seed::new(variant.number()), "order")
         .named(&format!("pick {place}"))
         .permutation(planned.candidates.len());
-    let is_free = |at: &&usize| {
-        taken
-            .iter()
-            .all(|item| item.id != planned.candidates[**at].id)
-    };
-    planned.candidates[*order.iter().find(is_free).unwrap_or(&order[0])]
+    planned.candidates[*order
+        .iter()
+        .find(|at| {
+            taken
+                .iter()
+                .all(|item| item.id != planned.candidates[**at].id)
+        })
+        .unwrap_or(&order[0])]
 }
 
 /// A question with its parts and their points.
@@ -137,8 +138,10 @@ fn question<'c>(
 ) -> SheetQuestion<'c> {
     let parts = asked(planned, &solution);
     let points = points_of(planned, solution.template(), &parts);
-    let space = |place: &usize| planned.space(&solution.template().parts[*place]);
-    let spaces = parts.iter().map(space).collect();
+    let spaces = parts
+        .iter()
+        .map(|place| planned.space(&solution.template().parts[*place]))
+        .collect();
     SheetQuestion {
         number,
         place,
@@ -202,6 +205,7 @@ pub(crate) fn points_of(
 /// The parts that a question asks for these data, as places in the item.
 pub(crate) fn asked(planned: &Planned<'_>, solution: &Solution<'_>) -> Vec<usize> {
     let all = &solution.template().parts;
-    let is_asked = |place: &usize| planned.asks(&all[*place]) && solution.asks(*place);
-    (0..all.len()).filter(is_asked).collect()
+    (0..all.len())
+        .filter(|place| planned.asks(&all[*place]) && solution.asks(*place))
+        .collect()
 }

@@ -90,10 +90,10 @@ pub struct Range {
 impl Fairness {
     /// Whether there is nothing that a teacher should look at.
     pub fn is_fair(&self) -> bool {
-        let is_fair = |question: &QuestionFairness| {
-            question.repeats == 0 && question.unusual == 0 && question.is_alike()
-        };
-        self.alike_neighbours == 0 && self.questions.iter().all(is_fair)
+        self.alike_neighbours == 0
+            && self.questions.iter().all(|question| {
+                question.repeats == 0 && question.unusual == 0 && question.is_alike()
+            })
     }
 }
 

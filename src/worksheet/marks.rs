@@ -119,10 +119,9 @@ impl<'de> Deserialize<'de> for Exact {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         let text = String::deserialize(deserializer)?;
         let (above, below) = text.split_once('/').unwrap_or((&text, "1"));
-        let quotient = Rational::from_decimal(above)
+        Rational::from_decimal(above)
             .zip(Rational::from_decimal(below))
-            .and_then(|(above, below)| above.checked_div(below));
-        quotient
+            .and_then(|(above, below)| above.checked_div(below))
             .map(Self)
             .ok_or_else(|| serde::de::Error::custom("no fraction"))
     }

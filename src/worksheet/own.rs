@@ -69,8 +69,7 @@ fn in_blueprint(mut finding: Finding, start: usize, blueprint: &Source) -> Findi
     for label in &mut finding.labels {
         label.span = label.span.shifted(start);
     }
-    let is_placed = |label: &Label| !label.span.is_none();
-    if !finding.labels.iter().any(is_placed) {
+    if !finding.labels.iter().any(|label| !label.span.is_none()) {
         let end = blueprint.text[start..]
             .find('\n')
             .map_or(start, |at| start + at);
@@ -114,7 +113,6 @@ fn text(table: &Table<'_>, whole: &Table<'_>, faults: &mut Faults<'_>) -> Option
     let entries = table.entries().iter();
     let ends = entries.map(|entry| entry.span.join(extent(&entry.value)));
     let text = ends.fold(header, Span::join);
-    let is_inside = |span: &Span| span.start > text.start && span.start < text.end;
     let others = whole
         .entries()
         .iter()
@@ -124,7 +122,7 @@ fn text(table: &Table<'_>, whole: &Table<'_>, faults: &mut Faults<'_>) -> Option
             }
             _ => vec![entry.span],
         });
-    let mut others = others.filter(is_inside);
+    let mut others = others.filter(|span| span.start > text.start && span.start < text.end);
     if let Some(span) = others.next() {
         faults.add(&BlueprintError::OwnApart(span));
         return None;

@@ -118,11 +118,9 @@ impl<'c> Plan<'c> {
             .iter()
             .flat_map(|question| question.items.keys());
         let used: BTreeSet<&ItemId> = used.collect();
-        let candidates = self
-            .questions
+        self.questions
             .iter()
-            .flat_map(|planned| &planned.candidates);
-        candidates
+            .flat_map(|planned| &planned.candidates)
             .filter(|item| used.contains(&item.id))
             .map(|item| (item.id.to_string(), item.source.text.to_string()))
             .collect()
@@ -143,8 +141,7 @@ impl Planned<'_> {
     /// The room for work at a part: what the blueprint says of the part, then of the question, then what the item says,
     /// then what the blueprint says of all.
     pub fn space(&self, part: &Part) -> Space {
-        let mut named = self.part_space.iter();
-        let own = named.find(|(name, _)| part.is_named(name));
+        let own = self.part_space.iter().find(|(name, _)| part.is_named(name));
         let stated = own.map(|(_, space)| *space).or(self.space);
         let stated = stated.or(part.space).or(self.usual_space);
         stated.unwrap_or(if part.answer.kind().is_by_hand() {
@@ -276,8 +273,7 @@ impl<'c> Planner<'c> {
                     });
                 }
                 if *same {
-                    let stream = Streams::of(Seed::new(self.blueprint.seed), "blueprint");
-                    let order = stream
+                    let order = Streams::of(Seed::new(self.blueprint.seed), "blueprint")
                         .named(&format!("pick {place}"))
                         .permutation(found.len());
                     self.questions.extend(
@@ -304,15 +300,14 @@ impl<'c> Planner<'c> {
                 .iter()
                 .flat_map(|question| &question.candidates)
         };
-        let has_formulas = |chapter: &&Chapter| {
-            let is_asked = items().any(|item| item.id.chapter() == chapter.folder);
-            is_asked && !chapter.formulas.is_empty()
-        };
         let found: Vec<&Chapter> = self
             .catalogue
             .chapters
             .iter()
-            .filter(has_formulas)
+            .filter(|chapter| {
+                let is_asked = items().any(|item| item.id.chapter() == chapter.folder);
+                is_asked && !chapter.formulas.is_empty()
+            })
             .collect();
         if found.is_empty() && !self.questions.is_empty() {
             self.find(&PlanError::NoFormulas { span: place });

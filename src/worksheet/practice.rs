@@ -141,16 +141,18 @@ impl PracticeQuestion {
 impl Weighed {
     /// Some parts of an item, by their places, without those that a person marks.
     fn of(item: &Template, places: &[usize], points: &[Rational]) -> Vec<Self> {
-        let weighed = |(place, points): (&usize, &Rational)| Self {
-            id: item.parts[*place].id.clone(),
-            points: points.to_f64(),
-            varies: item.parts[*place].when.is_some(),
-        };
         // What a person marks is no part of a score.
         let is_marked =
             |(place, _): &(&usize, &Rational)| !item.parts[**place].answer.kind().is_by_hand();
         let parts = places.iter().zip(points);
-        parts.filter(is_marked).map(weighed).collect()
+        parts
+            .filter(is_marked)
+            .map(|(place, points)| Self {
+                id: item.parts[*place].id.clone(),
+                points: points.to_f64(),
+                varies: item.parts[*place].when.is_some(),
+            })
+            .collect()
     }
 }
 
@@ -230,12 +232,10 @@ impl Practice {
 impl Practice {
     /// The lines of a page.
     pub fn lines(&self, items: &[Compiled]) -> String {
-        let line =
-            |value: serde_json::Result<String>| value.expect("plain data, with texts as keys");
-        let mut out = line(serde_json::to_string(self));
+        let mut out = serde_json::to_string(self).expect("plain data, with texts as keys");
         for item in items {
             out.push('\n');
-            out.push_str(&line(serde_json::to_string(item)));
+            out.push_str(&serde_json::to_string(item).expect("plain data, with texts as keys"));
         }
         out
     }

@@ -121,12 +121,11 @@ impl PrintOrder {
             }
         }
         if self == Self::Seat {
-            let seat = |place: &usize| {
-                let seat = Seat::read(&students[*place].seat);
-                (seat.is_none(), seat)
-            };
             for section in &mut sections {
-                section.places.sort_by_key(seat);
+                section.places.sort_by_key(|place| {
+                    let seat = Seat::read(&students[*place].seat);
+                    (seat.is_none(), seat)
+                });
             }
         }
         if students.len() < count {

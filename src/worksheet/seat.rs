@@ -11,8 +11,9 @@ impl Seat {
     /// Reads a seat as class lists have it: `3-7`, `C7`, or `12` where there is one row.
     pub(crate) fn read(text: &str) -> Option<Self> {
         let text = text.trim();
-        let is_mark = |char: char| !char.is_ascii_alphanumeric();
-        let mut parts = text.split(is_mark).filter(|part| !part.is_empty());
+        let mut parts = text
+            .split(|char: char| !char.is_ascii_alphanumeric())
+            .filter(|part| !part.is_empty());
         let (first, second) = (parts.next()?, parts.next());
         if parts.next().is_some() {
             return None;

@@ -11,7 +11,7 @@ use super::candidate::{AskedQuestion, Candidate, Fixed, mark, question_mark};
 use super::draw::SheetError;
 use super::fairness::{Alike, Fairness, QuestionFairness};
 use super::manifest::QuestionEntry;
-use super::plan::{Plan, Planned};
+use super::plan::Plan;
 use super::seat::Seat;
 use super::sheet::{Sheet, SheetQuestion, Student};
 use super::usual::{Unusual, Usual, size};
@@ -96,11 +96,6 @@ impl<'p, 'c> Chooser<'p, 'c> {
         students: &[Student],
         mut fixed: BTreeMap<String, Fixed>,
     ) -> Self {
-        let taken = |planned: &Planned<'_>| TakenData {
-            instances: planned.instances(),
-            data: BTreeSet::new(),
-            usual: planned.candidates.iter().map(|_| OnceLock::new()).collect(),
-        };
         let questions = plan.questions.iter();
         // Seats of two rooms are no neighbours, whatever their numbers are.
         let mut rooms = BTreeMap::new();
@@ -118,7 +113,14 @@ impl<'p, 'c> Chooser<'p, 'c> {
         }
         Self {
             plan,
-            questions: questions.clone().map(taken).collect(),
+            questions: questions
+                .clone()
+                .map(|planned| TakenData {
+                    instances: planned.instances(),
+                    data: BTreeSet::new(),
+                    usual: planned.candidates.iter().map(|_| OnceLock::new()).collect(),
+                })
+                .collect(),
             codes: BTreeSet::new(),
             taken: BTreeMap::new(),
             has_pseudonyms: false,
@@ -470,14 +472,13 @@ impl<'p, 'c> Chooser<'p, 'c> {
             .parts
             .iter()
             .map(|part| (*part, size(solution, *part)));
-        let answer = |part: &usize| {
+        let answers = question.parts.iter().filter_map(|part| {
             let key = solution.key(*part).ok().filter(|_| usual.differs(*part))?;
             Some(mark(
                 &[question.place as u64, *part as u64],
                 &key.math.plain(),
             ))
-        };
-        let answers = question.parts.iter().filter_map(answer);
+        });
         AskedQuestion {
             item: self.item(question),
             data,

@@ -318,13 +318,12 @@ impl LatexWriter<'_> {
     }
 
     fn stack(&mut self, base: &Math, under: Option<&Math>, over: Option<&Math>) {
-        let brace = |mark: Option<&Math>, sign: &str| matches!(mark, Some(Math::Operator { text, .. }) if text == sign);
         match base {
-            _ if over.is_none() && brace(under, "⏟") => {
+            _ if over.is_none() && under.is_some_and(|mark| mark.is_sign("⏟")) => {
                 self.command(r"\underbrace");
                 self.group(base);
             }
-            _ if under.is_none() && brace(over, "⏞") => {
+            _ if under.is_none() && over.is_some_and(|mark| mark.is_sign("⏞")) => {
                 self.command(r"\overbrace");
                 self.group(base);
             }
@@ -332,7 +331,7 @@ impl LatexWriter<'_> {
                 under: mark,
                 over: None,
                 ..
-            } if over.is_none() && brace(mark.as_deref(), "⏟") => {
+            } if over.is_none() && mark.as_deref().is_some_and(|mark| mark.is_sign("⏟")) => {
                 self.math(base);
                 self.limits(under, None);
             }
@@ -340,7 +339,7 @@ impl LatexWriter<'_> {
                 over: mark,
                 under: None,
                 ..
-            } if under.is_none() && brace(mark.as_deref(), "⏞") => {
+            } if under.is_none() && mark.as_deref().is_some_and(|mark| mark.is_sign("⏞")) => {
                 self.math(base);
                 self.limits(None, over);
             }

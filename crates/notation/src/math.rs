@@ -221,6 +221,16 @@ impl Math {
         Self::row(pieces.into_iter().flatten())
     }
 
+    /// Whether it is this sign.
+    pub(crate) fn is_sign(&self, sign: &str) -> bool {
+        matches!(self, Self::Operator { text, .. } if text == sign)
+    }
+
+    /// Whether it is a brace below or above something.
+    pub(crate) fn is_brace(&self) -> bool {
+        self.is_sign("⏟") || self.is_sign("⏞")
+    }
+
     /// A thin space, as between a number and its unit.
     pub fn thin_space() -> Self {
         Self::Space(3)

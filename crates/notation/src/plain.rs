@@ -242,10 +242,9 @@ impl PlainWriter<'_> {
 
     /// What is set below and above is written like scripts; a brace is left out.
     fn stack(&mut self, base: &Math, under: Option<&Math>, over: Option<&Math>) {
-        let is_brace = |mark: &&Math| matches!(mark, Math::Operator { text, .. } if matches!(text.as_str(), "⏟" | "⏞"));
         match (
-            under.filter(|mark| !is_brace(mark)),
-            over.filter(|mark| !is_brace(mark)),
+            under.filter(|mark| !mark.is_brace()),
+            over.filter(|mark| !mark.is_brace()),
         ) {
             (None, None) => self.math(base),
             (under, over) => self.script(base, under, over),

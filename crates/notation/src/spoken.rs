@@ -260,7 +260,6 @@ impl SpokenWriter<'_> {
     }
 
     fn stack(&mut self, base: &Math, under: Option<&Math>, over: Option<&Math>) {
-        let is_brace = |mark: &Math| matches!(mark, Math::Operator { text, .. } if matches!(text.as_str(), "⏟" | "⏞"));
         if let Math::Operator {
             class: Class::Large,
             text,
@@ -272,7 +271,7 @@ impl SpokenWriter<'_> {
         let voice = self.voice;
         for (words, mark) in [(voice.with, under), ([voice.under, ""], over)] {
             match mark {
-                Some(mark) if is_brace(mark) => self.say(voice.brace),
+                Some(mark) if mark.is_brace() => self.say(voice.brace),
                 Some(mark) => self.around(words, mark),
                 None => {}
             }

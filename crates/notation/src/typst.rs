@@ -206,9 +206,10 @@ impl TypstWriter<'_> {
     }
 
     fn operator(&mut self, text: &str, class: Class) {
-        let known = |sign| matches!(sign, "=" | "<" | ">" | "≤" | "≥" | "≈" | "≠" | "→");
         let function = match class {
-            Class::Relation if known(text) => None,
+            Class::Relation if matches!(text, "=" | "<" | ">" | "≤" | "≥" | "≈" | "≠" | "→") => {
+                None
+            }
             Class::Punctuation if matches!(text, "," | ";") => None,
             Class::Opening if matches!(text, "(" | "[" | "{") => None,
             Class::Closing if matches!(text, ")" | "]" | "}") => None,
@@ -290,11 +291,10 @@ impl TypstWriter<'_> {
     }
 
     fn stack(&mut self, base: &Math, under: Option<&Math>, over: Option<&Math>) {
-        let brace = |mark: Option<&Math>, sign: &str| matches!(mark, Some(Math::Operator { text, .. }) if text == sign);
-        if over.is_none() && brace(under, "⏟") {
+        if over.is_none() && under.is_some_and(|mark| mark.is_sign("⏟")) {
             return self.call("underbrace", &[base]);
         }
-        if under.is_none() && brace(over, "⏞") {
+        if under.is_none() && over.is_some_and(|mark| mark.is_sign("⏞")) {
             return self.call("overbrace", &[base]);
         }
         self.open("attach");

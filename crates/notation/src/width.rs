@@ -58,9 +58,10 @@ pub(crate) fn of(math: &Math, holes: &dyn Holes) -> f64 {
         Math::Fence { body, .. } => own(body) + 1.0,
         Math::Table { rows, .. } => {
             let columns = rows.iter().map(Vec::len).max().unwrap_or(0);
-            let column =
-                |place: usize| most(&mut rows.iter().filter_map(|row| row.get(place)).map(own));
-            (0..columns).map(column).sum::<f64>() + columns as f64
+            (0..columns)
+                .map(|place| most(&mut rows.iter().filter_map(|row| row.get(place)).map(own)))
+                .sum::<f64>()
+                + columns as f64
         }
         Math::Hole(_) => match math.filled(holes) {
             Math::Hole(_) => LETTER,

@@ -6,7 +6,9 @@ use vibank_source::lower;
 /// What comes before the condition or the remark in words after a formula; none where a word turns what it says.
 pub(crate) fn before(text: &str) -> Option<&str> {
     let text = text.trim_end_matches(['.', ' ']);
-    let bracketed = text.strip_suffix(')').and_then(|text| text.rsplit_once(" ("));
+    let bracketed = text
+        .strip_suffix(')')
+        .and_then(|text| text.rsplit_once(" ("));
     let before = match bracketed {
         Some((before, said)) if is_condition(said) || is_remark(said) => Some(before),
         _ => CONDITIONS.iter().find_map(|word| {
@@ -20,7 +22,10 @@ pub(crate) fn before(text: &str) -> Option<&str> {
 
 /// Whether a text begins with a word of conditions, and compares.
 fn is_condition(said: &str) -> bool {
-    let begins = |word: &str| said.strip_prefix(word).is_some_and(|rest| rest.starts_with(' '));
+    let begins = |word: &str| {
+        said.strip_prefix(word)
+            .is_some_and(|rest| rest.starts_with(' '))
+    };
     CONDITIONS.iter().any(|word| begins(word)) && compares(said)
 }
 
@@ -35,7 +40,9 @@ fn is_remark(said: &str) -> bool {
     let mut words = said.split_whitespace();
     let is_word = |word: &str| word.chars().all(|char| char.is_alphabetic() || char == '-');
     let turns = |word: &str| TURNING.contains(&lower(word).as_str()) || lower(word) == "not";
-    words.clone().any(|word| word.chars().count() >= MIN_LETTERS)
+    words
+        .clone()
+        .any(|word| word.chars().count() >= MIN_LETTERS)
         && words.all(|word| is_word(word) && !turns(word))
 }
 

@@ -28,7 +28,9 @@ pub(crate) fn operator(text: &str, at: usize) -> Option<(u8, usize)> {
     let order = scanner.operator()?;
     let behind = text[scanner.at..].trim_start();
     let behind = behind.strip_prefix("\\left").unwrap_or(behind);
-    behind.starts_with(['(', '[']).then_some((order, scanner.at))
+    behind
+        .starts_with(['(', '['])
+        .then_some((order, scanner.at))
 }
 
 /// Reads a derivative whose name comes after the operator, `d/dt(x)`, `\frac{d}{dt}\left(\frac{dx}{dt}\right)`,
@@ -325,7 +327,11 @@ impl Differentials<'_> {
     }
 
     fn order(&mut self) -> u8 {
-        if self.take("2") { 2 } else { self.raised_order() }
+        if self.take("2") {
+            2
+        } else {
+            self.raised_order()
+        }
     }
 
     /// Two where a square stands here.

@@ -597,7 +597,8 @@ impl Lexer<'_> {
             return None;
         }
         let mut stem = letters.clone();
-        stem.text.truncate(letters.text.len().checked_sub(index.len())?);
+        stem.text
+            .truncate(letters.text.len().checked_sub(index.len())?);
         stem.cuts.retain(|(at, _)| *at < stem.text.len());
         let pieces = self.lexicon.split(&stem, end, *order, false).ok()?;
         let is_moving = matches!(&pieces.last()?.sense, WordSense::Leaf(leaf) if matches!(

@@ -287,7 +287,10 @@ impl<'a> Parser<'a> {
                     matches!(self.item(), Some(Item::Unit(unit)) if !unit.dimension().is_pure());
                 let is_real = !self.is_after_imaginary_unit();
                 let may_be_own = self.is_tight() || is_measure && is_real;
-                if is_bare && is_constant(&divisor) && !(may_be_own && self.ways.choose(Doubtful::Unit, false)) {
+                if is_bare
+                    && is_constant(&divisor)
+                    && !(may_be_own && self.ways.choose(Doubtful::Unit, false))
+                {
                     break;
                 }
                 let unit = self.power()?;
@@ -299,7 +302,12 @@ impl<'a> Parser<'a> {
             // `1/2 m` can be read in one way only; of `k mm` all belongs to the divisor or nothing.
             let is_end = is_fraction && !is_tight;
             let goes_on = has_spaced && is_tight;
-            if is_end || !goes_on && !self.ways.choose(Doubtful::Divisor, is_tight && !is_fraction) {
+            if is_end
+                || !goes_on
+                    && !self
+                        .ways
+                        .choose(Doubtful::Divisor, is_tight && !is_fraction)
+            {
                 break;
             }
             has_spaced |= !is_tight;
@@ -432,7 +440,9 @@ impl<'a> Parser<'a> {
             return self.is_tight() && self.ways.choose(Doubtful::Exponent, !uses_time(exponent));
         }
         // `e^-λ t`.
-        self.is_tight() || matches!(self.item(), Some(Item::Leaf(_))) && self.ways.choose(Doubtful::Exponent, false)
+        self.is_tight()
+            || matches!(self.item(), Some(Item::Leaf(_)))
+                && self.ways.choose(Doubtful::Exponent, false)
     }
 
     /// Whether a number goes on as a fraction that is not whole: after it a slash and a number, without a space.

@@ -133,7 +133,10 @@ impl<'t> Stated<'t> {
     /// The sides of the statement that counts, its symbol among them.
     pub fn pieces(&self) -> Vec<Passage<'t>> {
         let main = &self.text[self.main.range()];
-        sides::statement(main).into_iter().map(Passage::of).collect()
+        sides::statement(main)
+            .into_iter()
+            .map(Passage::of)
+            .collect()
     }
 
     /// Whether there is more than one statement.
@@ -713,7 +716,10 @@ fn is_before_sibling(text: &str, at: usize, first: &str) -> bool {
         return false;
     };
     let sibling = sibling.trim();
-    let stem = |word: &str| word.trim_end_matches(|last: char| !last.is_alphabetic()).len();
+    let stem = |word: &str| {
+        word.trim_end_matches(|last: char| !last.is_alphabetic())
+            .len()
+    };
     let is_apart = text[..at].ends_with(' ') && text[at + 1..].starts_with(' ');
     is_apart
         && sibling != first

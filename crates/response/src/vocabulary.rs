@@ -373,7 +373,8 @@ impl Words {
         let lambda = (name.as_str() == "lam").then(|| "lambda".to_owned());
         // As often misspelled as not.
         let is_lambda = own.starts_with("lam");
-        let misspelled = is_lambda.then(|| own.replacen("lambda", "lam", 1).replacen("lam", "lamda", 1));
+        let misspelled =
+            is_lambda.then(|| own.replacen("lambda", "lam", 1).replacen("lam", "lamda", 1));
         // The letter that looks like it, `w0` for ω₀.
         let latin = [Some(&own), printed.as_ref()].map(|spelling| {
             let rest = spelling?.strip_prefix("omega")?;

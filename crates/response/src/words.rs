@@ -834,7 +834,16 @@ pub(crate) const THINGS: &[&str] = &[
 
 /// Words before a condition.
 pub(crate) const CONDITIONS: &[&str] = &[
-    "for", "if", "when", "whenever", "only if", "provided", "provided that", "as long as", "wenn", "falls",
+    "for",
+    "if",
+    "when",
+    "whenever",
+    "only if",
+    "provided",
+    "provided that",
+    "as long as",
+    "wenn",
+    "falls",
 ];
 
 /// Words around the two ends of a range.

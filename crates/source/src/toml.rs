@@ -23,12 +23,14 @@ pub fn read(source: &Source, problems: &Problems) -> Value {
 }
 
 fn entries(table: &DeTable<'_>) -> Vec<Entry> {
-    let entry = |(key, value): (&Spanned<_>, &Spanned<DeValue<'_>>)| Entry {
-        key: std::borrow::Cow::<str>::to_string(key.get_ref()),
-        span: key.span().into(),
-        value: convert(value),
-    };
-    table.iter().map(entry).collect()
+    table
+        .iter()
+        .map(|(key, value)| Entry {
+            key: std::borrow::Cow::<str>::to_string(key.get_ref()),
+            span: key.span().into(),
+            value: convert(value),
+        })
+        .collect()
 }
 
 fn convert(value: &Spanned<DeValue<'_>>) -> Value {

@@ -19,7 +19,6 @@
 
 mod formula;
 mod marker;
-mod read;
 
 use std::sync::{Arc, OnceLock};
 

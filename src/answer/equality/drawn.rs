@@ -146,7 +146,7 @@ impl<'t> Sampling<'t> {
         std::mem::swap(around.state(), &mut own.state);
         for attempt in 0..MAX_DRAWS {
             if attempt == own.points.len() {
-                let point = around.attempt(attempt);
+                let point = drawn(&mut around, attempt);
                 own.points.push(point.map(Arc::from));
             }
             if own.points[attempt].as_ref().is_some_and(&mut take) {
@@ -161,12 +161,10 @@ impl<'t> Sampling<'t> {
     }
 }
 
-impl Around<'_> {
-    /// One of the draws for an item.
-    fn attempt(&mut self, attempt: usize) -> Option<Vec<Precise>> {
-        // What has no value far from the data may have one near to them.
-        let share = attempt as f64 / MAX_DRAWS as f64;
-        let spread = WIDEST * (1.0 - share).max(0.02);
-        self.point(spread, share < 0.5, attempt % 4 == 3 || share > 0.6)
-    }
+/// One of the draws for an item.
+fn drawn(around: &mut Around<'_>, attempt: usize) -> Option<Vec<Precise>> {
+    // What has no value far from the data may have one near to them.
+    let share = attempt as f64 / MAX_DRAWS as f64;
+    let spread = WIDEST * (1.0 - share).max(0.02);
+    around.point(spread, share < 0.5, attempt % 4 == 3 || share > 0.6)
 }

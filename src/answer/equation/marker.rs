@@ -4,9 +4,11 @@ use std::cell::OnceCell;
 use std::collections::BTreeMap;
 
 use super::points::{Choice, Choices, of_instance};
+use super::quotient::without_quotients;
+use super::root::without_roots;
 use super::rows::Rows;
-use super::system::Other;
-use super::{Arc, Setup, told, written};
+use super::system::System;
+use super::{Arc, Setup, read, told, written};
 use crate::answer::settle::{Candidate, Rule, settle};
 use crate::answer::{
     Beside, Credit, Doubt, Echo, Equations, Key, Marker, Marking, Misfit, Nature, Note, Reading,
@@ -32,29 +34,6 @@ pub(crate) struct Prepared {
 }
 
 impl Prepared {
-    pub(crate) fn compare<'p>(
-        &self,
-        key: impl IntoIterator<Item = &'p Program>,
-        typed: impl IntoIterator<Item = &'p Program>,
-    ) -> Rows {
-        let key: Vec<&Program> = key.into_iter().collect();
-        let typed: Vec<&Program> = typed.into_iter().collect();
-        let choices = self.choices.points.iter();
-        let at = choices.map(|points| Rows::of(&key, &typed, points));
-        at.reduce(Rows::worse).unwrap_or(Rows::Undefined)
-    }
-
-    /// How typed equations compare with the key.
-    fn compare_with_key(&self, typed: &[Program]) -> Rows {
-        let typed: Vec<&Program> = typed.iter().collect();
-        let choices = self.choices.spaces.iter().zip(&self.choices.points);
-        let at = choices.map(|(space, points)| match space {
-            Some(space) => space.compare(&typed, points),
-            None => Rows::Undefined,
-        });
-        at.reduce(Rows::worse).unwrap_or(Rows::Undefined)
-    }
-
     /// The points for the data of the instance.
     fn own(&self) -> &Choice {
         let make = || of_instance(&self.setup, &self.key, &self.data);
@@ -66,16 +45,15 @@ impl Prepared {
     fn compared(&self, equations: Vec<Equation>) -> Option<(Vec<Equation>, Vec<Program>, Rows)> {
         let compared = |equations: Vec<Equation>| {
             let typed = self.setup.compile(&equations, &BTreeMap::new())?;
-            let rows = self.compare_with_key(&typed);
+            let rows = self.choices.compare_with_key(&typed);
             Some((equations, typed, rows))
         };
         let as_typed = compared(equations)?;
         if as_typed.2 == Rows::Same {
             return Some(as_typed);
         }
-        let other = self
-            .without_roots(&as_typed.0)
-            .or_else(|| self.setup.without_quotients(&as_typed.0));
+        let other = without_roots(&self.setup, &self.choices, &as_typed.0)
+            .or_else(|| without_quotients(&self.setup.unknowns, &as_typed.0));
         match other {
             Some(other) => compared(other),
             None => Some(as_typed),
@@ -139,11 +117,11 @@ impl Prepared {
         reading: Reading,
         equations: &[Equation],
         typed: &[Program],
-        others: &[Other],
+        system: &System<'_>,
     ) -> Marking {
-        if !others.is_empty() && self.follows(typed, others) {
+        if system.implies(typed) {
             if matches!(
-                self.compare(typed, &*self.key),
+                self.choices.compare(typed, &*self.key),
                 Rows::Same | Rows::Fewer { .. }
             ) {
                 let note = Remark::from(Note::OthersBelongElsewhere);
@@ -205,7 +183,7 @@ impl Marker for Prepared {
     }
 
     fn echo(&self, response: Passage<'_>) -> Result<Echo, Unreadable> {
-        let equations = self.setup.read(response)?;
+        let equations = read::equations(&self.setup, response)?;
         Ok(Echo::of_reading(self.setup.reading(&equations)))
     }
 
@@ -215,7 +193,7 @@ impl Marker for Prepared {
 
     fn mark_beside(&self, response: Passage<'_>, others: &[Beside<'_>]) -> Marking {
         let setup = &self.setup;
-        let equations = match setup.read(response) {
+        let equations = match read::equations(setup, response) {
             Ok(equations) => equations,
             Err(why) => return Marking::unreadable(why),
         };
@@ -224,7 +202,7 @@ impl Marker for Prepared {
             marking: self.judged(equations, others),
         };
         // Looked for only where the conventional reading is not right.
-        let readings = std::iter::once_with(|| setup.others(response, &equations)).flatten();
+        let readings = std::iter::once_with(|| read::others(setup, response, &equations)).flatten();
         let first = candidate(equations.clone());
         settle(self.doubt, Rule::Stated, first, readings.map(candidate))
     }
@@ -233,7 +211,7 @@ impl Marker for Prepared {
         Some(Equations {
             unknowns: self.setup.unknowns.clone(),
             key: self.setup.key.clone(),
-            typed: self.setup.read(response).unwrap_or_default(),
+            typed: read::equations(&self.setup, response).unwrap_or_default(),
         })
     }
 }
@@ -248,21 +226,21 @@ impl Prepared {
         if rows == Rows::Same {
             return Marking::right(reading);
         }
-        let others = self.others(others);
-        if self.is_right_beside(&typed, &others) {
+        let system = System::of(self, others);
+        if system.is_completed_by(&typed) {
             return Marking::read(reading, Credit::FULL, Remark::from(Note::RightTogether));
         }
         let named = self
             .mistakes
             .iter()
-            .find(|(_, given, _)| self.compare(&**given, &typed) == Rows::Same);
+            .find(|(_, given, _)| self.choices.compare(&**given, &typed) == Rows::Same);
         if let Some((number, _, credit)) = named {
             return Marking::mistake(reading, *number, *credit);
         }
         if let Rows::Fewer { found, needed } = rows {
             return fewer(reading, typed.len(), found, needed);
         }
-        self.wrong(reading, &equations, &typed, &others)
+        self.wrong(reading, &equations, &typed, &system)
     }
 }
 

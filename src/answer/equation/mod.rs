@@ -36,8 +36,12 @@ use super::equality::{BySigns, Signs};
 use super::letters::Allowed;
 use super::meaning::{Meaning, Prefer};
 use super::shared::{self, Shared};
-use super::{Answer, AnswerError, Asked, Blank, Context, Declare, Key, Marker, Role, symbolic};
+use super::{
+    Answer, AnswerError, Answered, Asked, Blank, Context, Declare, Key, Marker, Reading, Role,
+    symbolic,
+};
 use crate::expr::{Equation, Expr, Name, Program};
+use crate::math::Math;
 use crate::quantity::{Absent, Evaluation, NodeId};
 use crate::response::Lexicon;
 use crate::source::{Table, Text, Value};
@@ -268,6 +272,29 @@ impl Setup {
     fn printed(&self) -> &Arc<Key> {
         let print = || Key::formula(written(&self.key), self.typeset(&self.key));
         self.printed.get_or_init(|| Arc::new(print()))
+    }
+
+    /// How equations were read.
+    pub(crate) fn reading(&self, equations: &[Equation]) -> Reading {
+        Reading {
+            math: self.typeset(equations),
+            text: written(equations),
+            answered: Answered::Equations(equations.to_vec()),
+        }
+    }
+
+    /// Equations side by side, typeset.
+    fn typeset(&self, equations: &[Equation]) -> Math {
+        let mut row = Vec::new();
+        for equation in equations {
+            if !row.is_empty() {
+                row.push(Math::punctuation(";"));
+            }
+            row.push(equation.left.typeset(&self.lexicon));
+            row.push(Math::relation("="));
+            row.push(equation.right.typeset(&self.lexicon));
+        }
+        Math::row(row)
     }
 
     fn compile(

@@ -5,7 +5,7 @@
 //! term that is small for everyday values shows as well as in any other.
 
 use super::Setup;
-use super::rows::RowSpace;
+use super::rows::{RowSpace, Rows};
 use crate::answer::equality::Around;
 use crate::answer::meaning::ORDERS;
 use crate::expr::{Approx, Precise, Program, Registers};
@@ -46,6 +46,30 @@ impl Choices {
             spaces: spaces.collect(),
             points,
         }
+    }
+
+    /// How equations compare with those of a key, for the choice of data for which they do worst.
+    pub(crate) fn compare<'p>(
+        &self,
+        key: impl IntoIterator<Item = &'p Program>,
+        typed: impl IntoIterator<Item = &'p Program>,
+    ) -> Rows {
+        let key: Vec<&Program> = key.into_iter().collect();
+        let typed: Vec<&Program> = typed.into_iter().collect();
+        let choices = self.points.iter();
+        let at = choices.map(|points| Rows::of(&key, &typed, points));
+        at.reduce(Rows::worse).unwrap_or(Rows::Undefined)
+    }
+
+    /// How typed equations compare with the key.
+    pub(crate) fn compare_with_key(&self, typed: &[Program]) -> Rows {
+        let typed: Vec<&Program> = typed.iter().collect();
+        let choices = self.spaces.iter().zip(&self.points);
+        let at = choices.map(|(space, points)| match space {
+            Some(space) => space.compare(&typed, points),
+            None => Rows::Undefined,
+        });
+        at.reduce(Rows::worse).unwrap_or(Rows::Undefined)
     }
 }
 

@@ -1,133 +1,117 @@
 //! Reads the equations of a response.
 
-use super::{Setup, written};
-use crate::answer::{Answered, Reading, Unreadable, Why};
+use super::Setup;
+use crate::answer::{Unreadable, Why};
 use crate::expr::{Equation, Expr, Relation};
-use crate::math::Math;
 use crate::response::{Chain, Manner, Passage, Trouble, Typed, unit_of_zero};
 
-impl Setup {
-    /// The equations that a response is; where others say what letters mean that the question does not have, with
-    /// these in their place.
-    pub(crate) fn read(&self, response: Passage<'_>) -> Result<Vec<Equation>, Unreadable> {
-        self.alone(response, Manner::REAL).or_else(|why| {
-            // What is said beside the point stays so, whatever letters mean.
-            let is_beside = matches!(
-                *why.why,
-                Why::EquationNumber | Why::InitialState | Why::UnitOfZero | Why::NotInequality
-            );
-            let defined = || (!is_beside).then(|| self.defined(response)).flatten();
-            // `[M][x''] + [K][x] = 0`
-            let rows = || {
-                let rows = response.equations_of_matrices()?;
-                self.alone(rows.passage(), Manner::REAL).ok()
-            };
-            let in_any_case = || self.alone(response, Manner::REAL.in_any_case()).ok();
-            rows().or_else(defined).or_else(in_any_case).ok_or(why)
-        })
-    }
-
-    /// What else a response of one equation may be meant as, of the same dimension: `k l^2/4θ`.
-    pub(crate) fn others(&self, response: Passage<'_>, taken: &[Equation]) -> Vec<Vec<Equation>> {
-        let [own] = response.equations()[..] else {
-            return Vec::new();
+/// The equations that a response is; where others say what letters mean that the question does not have, with
+/// these in their place.
+pub(crate) fn equations(setup: &Setup, response: Passage<'_>) -> Result<Vec<Equation>, Unreadable> {
+    alone(setup, response, Manner::REAL).or_else(|why| {
+        // What is said beside the point stays so, whatever letters mean.
+        let is_beside = matches!(
+            *why.why,
+            Why::EquationNumber | Why::InitialState | Why::UnitOfZero | Why::NotInequality
+        );
+        let defined = || (!is_beside).then(|| defined(setup, response)).flatten();
+        // `[M][x''] + [K][x] = 0`
+        let rows = || {
+            let rows = response.equations_of_matrices()?;
+            alone(setup, rows.passage(), Manner::REAL).ok()
         };
-        let Ok(typed) = own.chain(&self.lexicon, Manner::REAL) else {
-            return Vec::new();
-        };
-        let is_sound = |own: &[Equation]| own.iter().all(|own| own.check(&self.meaning).is_ok());
-        let has_sound = is_sound(taken);
-        let all = [typed.value].into_iter().chain(typed.others);
-        let all = all.filter_map(|chain| of_chain(&chain).ok());
-        all.filter(|own| *own != taken && (!has_sound || is_sound(own)))
-            .collect()
-    }
+        let in_any_case = || alone(setup, response, Manner::REAL.in_any_case()).ok();
+        rows().or_else(defined).or_else(in_any_case).ok_or(why)
+    })
+}
 
-    /// The equations of a response whose other statements define letters.
-    fn defined(&self, response: Passage<'_>) -> Option<Vec<Equation>> {
-        let chains = response.defined_chains(&self.lexicon, Manner::REAL)?.ok()?;
-        let mut found = Vec::new();
-        for chain in chains {
-            found.extend(of_chain(&self.fitting(chain)).ok()?);
+/// What else a response of one equation may be meant as, of the same dimension: `k l^2/4θ`.
+pub(crate) fn others(
+    setup: &Setup,
+    response: Passage<'_>,
+    taken: &[Equation],
+) -> Vec<Vec<Equation>> {
+    let [own] = response.equations()[..] else {
+        return Vec::new();
+    };
+    let Ok(typed) = own.chain(&setup.lexicon, Manner::REAL) else {
+        return Vec::new();
+    };
+    let is_sound = |own: &[Equation]| own.iter().all(|own| own.check(&setup.meaning).is_ok());
+    let has_sound = is_sound(taken);
+    let all = [typed.value].into_iter().chain(typed.others);
+    let all = all.filter_map(|chain| of_chain(&chain).ok());
+    all.filter(|own| *own != taken && (!has_sound || is_sound(own)))
+        .collect()
+}
+
+/// The equations of a response whose other statements define letters.
+fn defined(setup: &Setup, response: Passage<'_>) -> Option<Vec<Equation>> {
+    let chains = response
+        .defined_chains(&setup.lexicon, Manner::REAL)?
+        .ok()?;
+    let mut found = Vec::new();
+    for chain in chains {
+        found.extend(of_chain(&fitting(setup, chain)).ok()?);
+    }
+    (!found.is_empty()).then_some(found)
+}
+
+/// The reading of a chain that has the dimensions of equations, if one has.
+fn fitting(setup: &Setup, chain: Typed<Chain>) -> Chain {
+    chain.fitting(|chain| {
+        let equations = of_chain(chain).unwrap_or_default();
+        let mut equations = equations.iter();
+        equations.all(|equation| equation.check(&setup.meaning).is_ok())
+    })
+}
+
+fn alone(
+    setup: &Setup,
+    response: Passage<'_>,
+    manner: Manner,
+) -> Result<Vec<Equation>, Unreadable> {
+    let mut found = Vec::new();
+    for own in response.equations() {
+        if let Some(why) = beside_the_point(own) {
+            return Err(why);
         }
-        (!found.is_empty()).then_some(found)
-    }
-
-    /// The reading of a chain that has the dimensions of equations, if one has.
-    fn fitting(&self, chain: Typed<Chain>) -> Chain {
-        chain.fitting(|chain| {
-            let equations = of_chain(chain).unwrap_or_default();
-            let mut equations = equations.iter();
-            equations.all(|equation| equation.check(&self.meaning).is_ok())
-        })
-    }
-
-    fn alone(&self, response: Passage<'_>, manner: Manner) -> Result<Vec<Equation>, Unreadable> {
-        let mut found = Vec::new();
-        for own in response.equations() {
-            if let Some(why) = beside_the_point(own) {
-                return Err(why);
-            }
-            let chain = own.chain(&self.lexicon, manner);
-            let chain = chain.map_err(|error| match error.trouble {
-                Trouble::NoRelation => Why::NoEquation.into(),
-                _ => Unreadable::typed(&error, own),
-            })?;
-            for equation in of_chain(&self.fitting(chain))? {
-                found.push(self.without_unit_of_zero(equation, own)?);
-            }
-        }
-        Ok(found)
-    }
-
-    /// An equation without the unit after its zero, which has to be that of the other side.
-    fn without_unit_of_zero(
-        &self,
-        equation: Equation,
-        typed: Passage<'_>,
-    ) -> Result<Equation, Unreadable> {
-        let Equation { left, right } = &equation;
-        let found = [(left, right), (right, left)]
-            .into_iter()
-            .find_map(|(zero, other)| Some((zero, unit_of_zero(zero)?, other)));
-        let Some((zero, unit, other)) = found else {
-            return Ok(equation);
-        };
-        let measured = Equation {
-            left: other.clone(),
-            right: unit.clone(),
-        };
-        if measured.check(&self.meaning).is_err() {
-            return Err(Unreadable::at(typed.part(zero.span()), Why::UnitOfZero));
-        }
-        Ok(Equation {
-            left: other.clone(),
-            right: Expr::number(0),
-        })
-    }
-
-    /// How equations were read.
-    pub(crate) fn reading(&self, equations: &[Equation]) -> Reading {
-        Reading {
-            math: self.typeset(equations),
-            text: written(equations),
-            answered: Answered::Equations(equations.to_vec()),
+        let chain = own.chain(&setup.lexicon, manner);
+        let chain = chain.map_err(|error| match error.trouble {
+            Trouble::NoRelation => Why::NoEquation.into(),
+            _ => Unreadable::typed(&error, own),
+        })?;
+        for equation in of_chain(&fitting(setup, chain))? {
+            found.push(without_unit_of_zero(setup, equation, own)?);
         }
     }
+    Ok(found)
+}
 
-    /// Equations side by side, typeset.
-    pub(crate) fn typeset(&self, equations: &[Equation]) -> Math {
-        let mut row = Vec::new();
-        for equation in equations {
-            if !row.is_empty() {
-                row.push(Math::punctuation(";"));
-            }
-            row.push(equation.left.typeset(&self.lexicon));
-            row.push(Math::relation("="));
-            row.push(equation.right.typeset(&self.lexicon));
-        }
-        Math::row(row)
+/// An equation without the unit after its zero, which has to be that of the other side.
+fn without_unit_of_zero(
+    setup: &Setup,
+    equation: Equation,
+    typed: Passage<'_>,
+) -> Result<Equation, Unreadable> {
+    let Equation { left, right } = &equation;
+    let found = [(left, right), (right, left)]
+        .into_iter()
+        .find_map(|(zero, other)| Some((zero, unit_of_zero(zero)?, other)));
+    let Some((zero, unit, other)) = found else {
+        return Ok(equation);
+    };
+    let measured = Equation {
+        left: other.clone(),
+        right: unit.clone(),
+    };
+    if measured.check(&setup.meaning).is_err() {
+        return Err(Unreadable::at(typed.part(zero.span()), Why::UnitOfZero));
     }
+    Ok(Equation {
+        left: other.clone(),
+        right: Expr::number(0),
+    })
 }
 
 /// The equations `a = b = c` is.

@@ -16,7 +16,6 @@
 //! ```
 
 mod marker;
-mod read;
 mod slip;
 
 use std::collections::BTreeMap;

@@ -8,7 +8,9 @@ use std::sync::Arc;
 use super::Setup;
 use super::late::{OnSpan, Window};
 use super::phase::with_rounded_numbers;
+use super::read::{bare, read};
 use super::samples::{fine, rounding, samples};
+use super::slip::slip;
 use crate::answer::meaning::ORDERS;
 use crate::answer::settle::{Candidate, Rule, settle};
 use crate::answer::trial::typed as typed_number;
@@ -259,14 +261,14 @@ impl Marker for Prepared<'_> {
     }
 
     fn mark(&self, response: Passage<'_>) -> Marking {
-        match self.read(response) {
+        match read(self, response) {
             Ok(response) => {
                 let others = response.others.clone().into_iter();
                 let candidate = |response: Response| Candidate {
                     shown: self.setup.lexicon.written(&response.expr),
                     marking: self.judged(response),
                 };
-                let others = others.map(|other| candidate(self.bare(other)));
+                let others = others.map(|other| candidate(bare(self, other)));
                 settle(self.doubt, Rule::Stated, candidate(response), others)
             }
             Err(why) => Marking::unreadable(why),
@@ -311,7 +313,7 @@ impl Prepared<'_> {
             };
             return wrong(response, Some(misfit.into()));
         }
-        let slip = self.slip(&response);
+        let slip = slip(self, &response);
         wrong(response, slip.map(Remark::from))
     }
 

@@ -14,340 +14,335 @@ use crate::response::{
 };
 use crate::unit::{DecimalMark, Unit};
 
-impl Prepared<'_> {
-    /// The function that a response is, with its letters as other statements define them.
-    pub(crate) fn read(&self, response: Passage<'_>) -> Result<Response, Unreadable> {
-        self.alone(response)
-            .or_else(|why| self.defined(response).ok_or(why))
-    }
+/// The function that a response is, with its letters as other statements define them.
+pub(crate) fn read(key: &Prepared<'_>, response: Passage<'_>) -> Result<Response, Unreadable> {
+    alone(key, response).or_else(|why| defined(key, response).ok_or(why))
+}
 
-    /// The function of a response whose other statements say what its letters are: `A cos(5 t + φ), A = 0.2, φ = 1.3`.
-    fn defined(&self, response: Passage<'_>) -> Option<Response> {
-        let setup = &self.setup;
-        let measure = |value: Passage<'_>| {
-            let quantity = quantity(value, DecimalMark::Point).ok()?;
-            Rational::from_decimal(&typed_number(quantity.si()))
-                .map(|si| Expr::derived(Kind::Number(si)))
-        };
-        let stated = response
-            .stated(|label| setup.labels.is_own(label))
-            .ok()
-            .filter(Stated::has_others)?
-            .measured_by(&measure);
-        let typed = stated.formula(&setup.lexicon, Manner::REAL).ok()?;
-        let read = self.bare(self.of_right_dimension(typed));
-        let is_same = |form: Typed<Expr>| {
-            let values = self.values_of(&self.of_right_dimension(form));
-            values.is_some_and(|values| self.fits(&read.values, &values))
-        };
-        let mut forms = stated.other_forms(&setup.lexicon, Manner::REAL).into_iter();
-        (!self.adds_angle(&read.expr) && forms.all(is_same)).then_some(read)
-    }
+/// The function of a response whose other statements say what its letters are: `A cos(5 t + φ), A = 0.2, φ = 1.3`.
+fn defined(key: &Prepared<'_>, response: Passage<'_>) -> Option<Response> {
+    let setup = &key.setup;
+    let measure = |value: Passage<'_>| {
+        let quantity = quantity(value, DecimalMark::Point).ok()?;
+        Rational::from_decimal(&typed_number(quantity.si()))
+            .map(|si| Expr::derived(Kind::Number(si)))
+    };
+    let stated = response
+        .stated(|label| setup.labels.is_own(label))
+        .ok()
+        .filter(Stated::has_others)?
+        .measured_by(&measure);
+    let typed = stated.formula(&setup.lexicon, Manner::REAL).ok()?;
+    let read = bare(key, of_right_dimension(key, typed));
+    let is_same = |form: Typed<Expr>| {
+        let values = key.values_of(&of_right_dimension(key, form));
+        values.is_some_and(|values| key.fits(&read.values, &values))
+    };
+    let mut forms = stated.other_forms(&setup.lexicon, Manner::REAL).into_iter();
+    (!adds_angle(key, &read.expr) && forms.all(is_same)).then_some(read)
+}
 
-    /// The function that a response is: the last form of it that was typed, which the others have to equal.
-    fn alone(&self, response: Passage<'_>) -> Result<Response, Unreadable> {
-        let labels = &self.setup.labels;
-        let setup = &self.setup;
-        let is_free = setup.lexicon.reads("tau").is_none();
-        let renamed = response
-            .of_own_variable(&setup.variable)
-            .filter(|_| is_free);
-        let response = renamed.as_ref().map_or(response, Reworded::passage);
-        let pieces = response.function_pieces();
-        let (first, others) = match &pieces[..] {
-            [] => (response, &[][..]),
-            [one] => (labels.asked(one.formula)?, &[][..]),
-            [first, ..] => (first.formula, &pieces[1..]),
-        };
-        let (last, forms) = labels.forms(first)?;
-        let mut read = self.function(last)?;
-        if let (Some(FunctionPiece { condition, .. }), false) = (pieces.first(), others.is_empty())
-        {
-            read = self.by_pieces(read, *condition, others)?;
-        }
-        if let [
-            FunctionPiece {
-                condition: Some(condition),
-                ..
-            },
-        ] = &pieces[..]
-            && self.is_mostly_excluded(*condition)
-        {
-            return Err(Unreadable::at(*condition, Why::OutsideOfSpan));
-        }
-        for form in &forms {
-            let same = self
-                .values_of(form)
-                .is_some_and(|values| self.fits(&read.values, &values));
-            if !same {
-                return Err(Why::UnequalFunctions(last.into()).into());
-            }
-        }
-        Ok(read)
+/// The function that a response is: the last form of it that was typed, which the others have to equal.
+fn alone(key: &Prepared<'_>, response: Passage<'_>) -> Result<Response, Unreadable> {
+    let labels = &key.setup.labels;
+    let setup = &key.setup;
+    let is_free = setup.lexicon.reads("tau").is_none();
+    let renamed = response
+        .of_own_variable(&setup.variable)
+        .filter(|_| is_free);
+    let response = renamed.as_ref().map_or(response, Reworded::passage);
+    let pieces = response.function_pieces();
+    let (first, others) = match &pieces[..] {
+        [] => (response, &[][..]),
+        [one] => (labels.asked(one.formula)?, &[][..]),
+        [first, ..] => (first.formula, &pieces[1..]),
+    };
+    let (last, forms) = labels.forms(first)?;
+    let mut read = function(key, last)?;
+    if let (Some(FunctionPiece { condition, .. }), false) = (pieces.first(), others.is_empty()) {
+        read = by_pieces(key, read, *condition, others)?;
     }
-
-    /// Whether a condition excludes more than half of the span, `t < 0`; a bound that is rounded excludes less, and what
-    /// is said of anything else but the variable excludes nothing.
-    fn is_mostly_excluded(&self, condition: Passage<'_>) -> bool {
-        let excluded = || {
-            let holds = condition
-                .comparison(&self.setup.lexicon, Manner::REAL)
-                .ok()?;
-            let marked = Kind::If(holds, Expr::number(1), Expr::number(0));
-            let values = self.values_of(&Expr::derived(marked))?;
-            let excluded = values.iter().filter(|value| **value == 0.0).count();
-            Some(2 * excluded > values.len())
-        };
-        excluded().unwrap_or(false)
+    if let [
+        FunctionPiece {
+            condition: Some(condition),
+            ..
+        },
+    ] = &pieces[..]
+        && is_mostly_excluded(key, *condition)
+    {
+        return Err(Unreadable::at(*condition, Why::OutsideOfSpan));
     }
-
-    /// The function that is each of the pieces where its condition holds, the last one everywhere else.
-    fn by_pieces(
-        &self,
-        first: Response,
-        holds: Option<Passage<'_>>,
-        others: &[FunctionPiece<'_>],
-    ) -> Result<Response, Unreadable> {
-        let lexicon = &self.setup.lexicon;
-        let Some((next, rest)) = others.split_first() else {
-            return Ok(first);
-        };
-        let otherwise = self.function(next.formula)?;
-        let otherwise = self.by_pieces(otherwise, next.condition, rest)?;
-        let are_alike = first.units.len() == otherwise.units.len()
-            && first
-                .units
-                .iter()
-                .zip(&otherwise.units)
-                .all(|(own, other)| own.to_si(1.0).total_cmp(&other.to_si(1.0)).is_eq());
-        if !are_alike {
-            return Err(Why::UnitOfTerms.into());
+    for form in &forms {
+        let same = key
+            .values_of(form)
+            .is_some_and(|values| key.fits(&read.values, &values));
+        if !same {
+            return Err(Why::UnequalFunctions(last.into()).into());
         }
-        let condition = holds.unwrap_or_default();
+    }
+    Ok(read)
+}
+
+/// Whether a condition excludes more than half of the span, `t < 0`; a bound that is rounded excludes less, and what
+/// is said of anything else but the variable excludes nothing.
+fn is_mostly_excluded(key: &Prepared<'_>, condition: Passage<'_>) -> bool {
+    let excluded = || {
         let holds = condition
-            .comparison(lexicon, Manner::REAL)
-            .map_err(|error| Unreadable::typed(&error, condition))?;
-        let expr = Expr::derived(Kind::If(holds, first.expr, otherwise.expr));
-        Ok(Response {
-            reading: Reading {
-                math: expr.typeset(lexicon),
-                text: expr.to_string(),
-                answered: Answered::Function(expr.clone(), None),
-            },
-            values: self.values_in(&expr, &first.units).unwrap_or_default(),
-            units: first.units,
-            expr,
+            .comparison(&key.setup.lexicon, Manner::REAL)
+            .ok()?;
+        let marked = Kind::If(holds, Expr::number(1), Expr::number(0));
+        let values = key.values_of(&Expr::derived(marked))?;
+        let excluded = values.iter().filter(|value| **value == 0.0).count();
+        Some(2 * excluded > values.len())
+    };
+    excluded().unwrap_or(false)
+}
+
+/// The function that is each of the pieces where its condition holds, the last one everywhere else.
+fn by_pieces(
+    key: &Prepared<'_>,
+    first: Response,
+    holds: Option<Passage<'_>>,
+    others: &[FunctionPiece<'_>],
+) -> Result<Response, Unreadable> {
+    let lexicon = &key.setup.lexicon;
+    let Some((next, rest)) = others.split_first() else {
+        return Ok(first);
+    };
+    let otherwise = function(key, next.formula)?;
+    let otherwise = by_pieces(key, otherwise, next.condition, rest)?;
+    let are_alike = first.units.len() == otherwise.units.len()
+        && first
+            .units
+            .iter()
+            .zip(&otherwise.units)
+            .all(|(own, other)| own.to_si(1.0).total_cmp(&other.to_si(1.0)).is_eq());
+    if !are_alike {
+        return Err(Why::UnitOfTerms.into());
+    }
+    let condition = holds.unwrap_or_default();
+    let holds = condition
+        .comparison(lexicon, Manner::REAL)
+        .map_err(|error| Unreadable::typed(&error, condition))?;
+    let expr = Expr::derived(Kind::If(holds, first.expr, otherwise.expr));
+    Ok(Response {
+        reading: Reading {
+            math: expr.typeset(lexicon),
+            text: expr.to_string(),
+            answered: Answered::Function(expr.clone(), None),
+        },
+        values: key.values_in(&expr, &first.units).unwrap_or_default(),
+        units: first.units,
+        expr,
+        others: Vec::new(),
+    })
+}
+
+/// A formula of real numbers, or one of complex numbers that is real: `Re(A e^(iωt))`, a sum of conjugate ones.
+fn of_real_numbers(key: &Prepared<'_>, typed: Passage<'_>) -> Result<Typed<Expr>, TypedError> {
+    let lexicon = &key.setup.lexicon;
+    let read = typed.formula(lexicon, Manner::REAL);
+    if read.is_ok() || !typed.may_be_complex() {
+        return read;
+    }
+    let complex = typed.formula(lexicon, Manner::COMPLEX).ok();
+    let real = complex.and_then(|typed| with_real_values(key, typed.value));
+    real.map_or(read, |value| {
+        Ok(Typed {
+            value,
             others: Vec::new(),
         })
-    }
+    })
+}
 
-    /// A formula of real numbers, or one of complex numbers that is real: `Re(A e^(iωt))`, a sum of conjugate ones.
-    fn formula(&self, typed: Passage<'_>) -> Result<Typed<Expr>, TypedError> {
-        let lexicon = &self.setup.lexicon;
-        let read = typed.formula(lexicon, Manner::REAL);
-        if read.is_ok() || !typed.may_be_complex() {
-            return read;
-        }
-        let complex = typed.formula(lexicon, Manner::COMPLEX).ok();
-        let real = complex.and_then(|typed| self.real(typed.value));
-        real.map_or(read, |value| {
-            Ok(Typed {
-                value,
-                others: Vec::new(),
-            })
-        })
+/// A formula with the imaginary unit in it as one of real values, if it has such.
+fn with_real_values(key: &Prepared<'_>, expr: Expr) -> Option<Expr> {
+    // What a sum of conjugate terms leaves of its imaginary part in binary64 stays far below this.
+    const ROUNDING: f64 = 1e-9;
+    if key.values_of(&expr).is_some() {
+        return Some(expr);
     }
+    let part = |function| Expr::derived(Kind::Call(function, vec![expr.clone()]));
+    let real = part(Function::Re);
+    let (own, rest) = (key.values_of(&real)?, key.values_of(&part(Function::Im))?);
+    let largest = |values: &[f64]| values.iter().fold(0.0_f64, |most, own| most.max(own.abs()));
+    (largest(&rest) <= ROUNDING * largest(&own)).then_some(real)
+}
 
-    /// A formula with the imaginary unit in it as one of real values, if it has such.
-    fn real(&self, expr: Expr) -> Option<Expr> {
-        // What a sum of conjugate terms leaves of its imaginary part in binary64 stays far below this.
-        const ROUNDING: f64 = 1e-9;
-        if self.values_of(&expr).is_some() {
-            return Some(expr);
-        }
-        let part = |function| Expr::derived(Kind::Call(function, vec![expr.clone()]));
-        let real = part(Function::Re);
-        let (own, rest) = (self.values_of(&real)?, self.values_of(&part(Function::Im))?);
-        let largest = |values: &[f64]| values.iter().fold(0.0_f64, |most, own| most.max(own.abs()));
-        (largest(&rest) <= ROUNDING * largest(&own)).then_some(real)
-    }
-
-    /// Whether letters are names or units is decided by the dimension, not by what is right.
-    fn function(&self, typed: Passage<'_>) -> Result<Response, Unreadable> {
-        match self.formula(typed) {
-            Err(error) => self
-                .with_unit(typed)
-                .or_else(|| self.with_rates(typed).map(Ok))
-                .unwrap_or_else(|| Err(Unreadable::typed(&error, typed))),
-            Ok(read) => {
-                let all = read.clone();
-                let expr = self.of_right_dimension(read);
-                let unit = self.with_unit(typed).filter(|_| self.has_data(&expr));
-                match unit {
-                    Some(Ok(_)) if self.has_dimension(&expr) => Err(Why::UnitOrQuantity.into()),
-                    Some(read) if !self.has_dimension(&expr) => read,
-                    _ if self.adds_angle(&expr) => Err(Why::AngleAdded.into()),
-                    _ => Ok(Response {
-                        others: self.others(all, &expr),
-                        ..self.bare(expr)
-                    }),
-                }
+/// Whether letters are names or units is decided by the dimension, not by what is right.
+fn function(key: &Prepared<'_>, typed: Passage<'_>) -> Result<Response, Unreadable> {
+    match of_real_numbers(key, typed) {
+        Err(error) => with_unit(key, typed)
+            .or_else(|| with_rates(key, typed).map(Ok))
+            .unwrap_or_else(|| Err(Unreadable::typed(&error, typed))),
+        Ok(read) => {
+            let all = read.clone();
+            let expr = of_right_dimension(key, read);
+            let unit = with_unit(key, typed).filter(|_| key.has_data(&expr));
+            match unit {
+                Some(Ok(_)) if has_dimension(key, &expr) => Err(Why::UnitOrQuantity.into()),
+                Some(read) if !has_dimension(key, &expr) => read,
+                _ if adds_angle(key, &expr) => Err(Why::AngleAdded.into()),
+                _ => Ok(Response {
+                    others: other_readings(key, all, &expr),
+                    ..bare(key, expr)
+                }),
             }
         }
     }
+}
 
-    /// The readings of a text beside the one that was taken which make as much sense as it does.
-    fn others(&self, typed: Typed<Expr>, taken: &Expr) -> Vec<Expr> {
-        let is_sound = self.makes_sense(taken);
-        let fits = |expr: &Expr| {
-            expr != taken
-                && self.dimension_trouble(expr).is_none()
-                && self.fits_in_steps(expr)
-                && (!is_sound || self.makes_sense(expr))
-        };
-        let all = [typed.value].into_iter().chain(typed.others);
-        all.filter(fits).collect()
+/// The readings of a text beside the one that was taken which make as much sense as it does.
+fn other_readings(key: &Prepared<'_>, typed: Typed<Expr>, taken: &Expr) -> Vec<Expr> {
+    let is_sound = makes_sense(key, taken);
+    let fits = |expr: &Expr| {
+        expr != taken
+            && key.dimension_trouble(expr).is_none()
+            && fits_in_steps(key, expr)
+            && (!is_sound || makes_sense(key, expr))
+    };
+    let all = [typed.value].into_iter().chain(typed.others);
+    all.filter(fits).collect()
+}
+
+/// Whether a formula in letters of the question has the dimension of the key, down to what stands in its waves.
+fn makes_sense(key: &Prepared<'_>, expr: &Expr) -> bool {
+    let found = expr.check(&key.setup.meaning).ok();
+    let dimension = found.and_then(|kind| kind.dimension());
+    key.has_data(expr) && dimension.is_some() && dimension == key.setup.kind.dimension()
+}
+
+/// Where a text leaves several readings, the one of the right dimension.
+fn of_right_dimension(key: &Prepared<'_>, typed: Typed<Expr>) -> Expr {
+    // `q0 cos t/√(LC)` makes sense in one way only.
+    if !makes_sense(key, &typed.value)
+        && let Some(other) = typed.others.iter().find(|other| makes_sense(key, other))
+    {
+        return other.clone();
     }
+    // Where numbers stand for data, steps may go against the dimensions; that speaks for no other reading.
+    let Typed { value, mut others } = typed;
+    others.retain(|other| fits_in_steps(key, other));
+    Typed { value, others }.fitting(|expr| key.dimension_trouble(expr).is_none())
+}
 
-    /// Whether a formula in letters of the question has the dimension of the key, down to what stands in its waves.
-    fn makes_sense(&self, expr: &Expr) -> bool {
-        let found = expr.check(&self.setup.meaning).ok();
-        let dimension = found.and_then(|kind| kind.dimension());
-        self.has_data(expr) && dimension.is_some() && dimension == self.setup.kind.dimension()
+/// Whether no step of a formula with letters of the question goes against the dimensions.
+fn fits_in_steps(key: &Prepared<'_>, expr: &Expr) -> bool {
+    !key.has_data(expr) || expr.check(&key.setup.meaning).is_ok()
+}
+
+/// Numbers without data beside them may be in the unit that is asked for.
+pub(crate) fn bare(key: &Prepared<'_>, expr: Expr) -> Response {
+    let setup = &key.setup;
+    let shown = setup.unit.filter(|_| !key.has_data(&without_waves(&expr)));
+    let units: Vec<Unit> = [Unit::ONE].into_iter().chain(shown).collect();
+    Response {
+        reading: Reading {
+            math: expr.typeset(&setup.lexicon),
+            text: expr.to_string(),
+            answered: Answered::Function(expr.clone(), None),
+        },
+        values: key.values_in(&expr, &units).unwrap_or_default(),
+        units,
+        expr,
+        others: Vec::new(),
     }
+}
 
-    /// Where a text leaves several readings, the one of the right dimension.
-    fn of_right_dimension(&self, typed: Typed<Expr>) -> Expr {
-        // `q0 cos t/√(LC)` makes sense in one way only.
-        if !self.makes_sense(&typed.value)
-            && let Some(other) = typed.others.iter().find(|other| self.makes_sense(other))
-        {
-            return other.clone();
-        }
-        // Where numbers stand for data, steps may go against the dimensions; that speaks for no other reading.
-        let Typed { value, mut others } = typed;
-        others.retain(|other| self.fits_in_steps(other));
-        Typed { value, others }.fitting(|expr| self.dimension_trouble(expr).is_none())
-    }
-
-    /// Whether no step of a formula with letters of the question goes against the dimensions.
-    fn fits_in_steps(&self, expr: &Expr) -> bool {
-        !self.has_data(expr) || expr.check(&self.setup.meaning).is_ok()
-    }
-
-    /// Numbers without data beside them may be in the unit that is asked for.
-    pub(crate) fn bare(&self, expr: Expr) -> Response {
-        let setup = &self.setup;
-        let shown = setup.unit.filter(|_| !self.has_data(&without_waves(&expr)));
-        let units: Vec<Unit> = [Unit::ONE].into_iter().chain(shown).collect();
-        Response {
-            reading: Reading {
-                math: expr.typeset(&setup.lexicon),
-                text: expr.to_string(),
-                answered: Answered::Function(expr.clone(), None),
-            },
-            values: self.values_in(&expr, &units).unwrap_or_default(),
-            units,
-            expr,
-            others: Vec::new(),
-        }
-    }
-
-    /// A function of numbers with a unit, after each of its terms or after the whole, or in its arguments alone.
-    fn with_unit(&self, typed: Passage<'_>) -> Option<Result<Response, Unreadable>> {
-        let setup = &self.setup;
-        let own = setup.unit?;
-        // Letters of the question in its waves do not matter: `13.5 mJ sin²(ω t)`.
-        let of_letters = || {
-            let read = self.measured(typed, &setup.lexicon).ok()?;
-            let is_of_numbers = !self.has_data(&without_waves(&read.value.formula));
-            (is_of_numbers && read.value.unit.is_some()).then_some(read)
-        };
-        let read = self.measured(typed, &setup.of_numbers);
-        let read = match read.or_else(|error| of_letters().ok_or(error)) {
-            Ok(read) => read,
-            Err(error) => {
-                let has_no_common = matches!(
-                    error.trouble,
-                    Trouble::Value(ValueTrouble::UnitOfOne | ValueTrouble::Units)
-                );
-                if error.trouble == Trouble::Value(ValueTrouble::UnitOfArgument) {
-                    return Some(Err(Why::UnitOfArgument.into()));
-                }
-                return has_no_common.then(|| Err(Why::UnitOfTerms.into()));
+/// A function of numbers with a unit, after each of its terms or after the whole, or in its arguments alone.
+fn with_unit(key: &Prepared<'_>, typed: Passage<'_>) -> Option<Result<Response, Unreadable>> {
+    let setup = &key.setup;
+    let own = setup.unit?;
+    // Letters of the question in its waves do not matter: `13.5 mJ sin²(ω t)`.
+    let of_letters = || {
+        let read = measured(key, typed, &setup.lexicon).ok()?;
+        let is_of_numbers = !key.has_data(&without_waves(&read.value.formula));
+        (is_of_numbers && read.value.unit.is_some()).then_some(read)
+    };
+    let read = measured(key, typed, &setup.of_numbers);
+    let read = match read.or_else(|error| of_letters().ok_or(error)) {
+        Ok(read) => read,
+        Err(error) => {
+            let has_no_common = matches!(
+                error.trouble,
+                Trouble::Value(ValueTrouble::UnitOfOne | ValueTrouble::Units)
+            );
+            if error.trouble == Trouble::Value(ValueTrouble::UnitOfArgument) {
+                return Some(Err(Why::UnitOfArgument.into()));
             }
-        };
-        let is_own = |unit: &Unit| unit.dimension() == own.dimension();
-        let Measured { formula, unit } = read.fitting(|own| own.unit.as_ref().is_none_or(is_own));
-        let Some(unit) = unit else {
-            return Some(Ok(self.bare(formula)));
-        };
-        if !is_own(&unit) {
-            return Some(Err(Why::UnitOfFunction(own).into()));
+            return has_no_common.then(|| Err(Why::UnitOfTerms.into()));
         }
-        let units = vec![unit];
-        Some(Ok(Response {
-            reading: Reading {
-                math: Math::row([
-                    formula.typeset(&setup.lexicon),
-                    Math::thin_space(),
-                    unit.math(),
-                ]),
-                text: format!("({formula}) {}", unit.text()),
-                answered: Answered::Function(formula.clone(), Some(unit)),
-            },
-            values: self.values_in(&formula, &units).unwrap_or_default(),
-            units,
-            expr: formula,
+    };
+    let is_own = |unit: &Unit| unit.dimension() == own.dimension();
+    let Measured { formula, unit } = read.fitting(|own| own.unit.as_ref().is_none_or(is_own));
+    let Some(unit) = unit else {
+        return Some(Ok(bare(key, formula)));
+    };
+    if !is_own(&unit) {
+        return Some(Err(Why::UnitOfFunction(own).into()));
+    }
+    let units = vec![unit];
+    Some(Ok(Response {
+        reading: Reading {
+            math: Math::row([
+                formula.typeset(&setup.lexicon),
+                Math::thin_space(),
+                unit.math(),
+            ]),
+            text: format!("({formula}) {}", unit.text()),
+            answered: Answered::Function(formula.clone(), Some(unit)),
+        },
+        values: key.values_in(&formula, &units).unwrap_or_default(),
+        units,
+        expr: formula,
+        others: Vec::new(),
+    }))
+}
+
+/// A function in letters with units in its arguments, `x0 e^(-0.75 s⁻¹ t)`.
+fn with_rates(key: &Prepared<'_>, typed: Passage<'_>) -> Option<Response> {
+    let read = measured(key, typed, &key.setup.lexicon).ok()?;
+    let is_bare = read.value.unit.is_none();
+    is_bare.then(|| bare(key, read.value.formula))
+}
+
+/// The function with units that a passage is, if it has real values.
+fn measured(
+    key: &Prepared<'_>,
+    typed: Passage<'_>,
+    lexicon: &Lexicon,
+) -> Result<Typed<Measured>, TypedError> {
+    let real = typed.measured(lexicon, false);
+    if real.is_ok() || !typed.may_be_complex() {
+        return real;
+    }
+    let complex = typed.measured(lexicon, true).ok();
+    let value = complex.and_then(|typed| {
+        let Measured { formula, unit } = typed.value;
+        let formula = with_real_values(key, formula)?;
+        Some(Measured { formula, unit })
+    });
+    value.map_or(real, |value| {
+        Ok(Typed {
+            value,
             others: Vec::new(),
-        }))
-    }
-
-    /// A function in letters with units in its arguments, `x0 e^(-0.75 s⁻¹ t)`.
-    fn with_rates(&self, typed: Passage<'_>) -> Option<Response> {
-        let read = self.measured(typed, &self.setup.lexicon).ok()?;
-        let bare = read.value.unit.is_none();
-        bare.then(|| self.bare(read.value.formula))
-    }
-
-    /// The function with units that a passage is, if it has real values.
-    fn measured(
-        &self,
-        typed: Passage<'_>,
-        lexicon: &Lexicon,
-    ) -> Result<Typed<Measured>, TypedError> {
-        let real = typed.measured(lexicon, false);
-        if real.is_ok() || !typed.may_be_complex() {
-            return real;
-        }
-        let complex = typed.measured(lexicon, true).ok();
-        let value = complex.and_then(|typed| {
-            let Measured { formula, unit } = typed.value;
-            let formula = self.real(formula)?;
-            Some(Measured { formula, unit })
-        });
-        value.map_or(real, |value| {
-            Ok(Typed {
-                value,
-                others: Vec::new(),
-            })
         })
-    }
+    })
+}
 
-    /// Whether a function with letters can have the dimension of the key, apart from what stands in its waves.
-    fn has_dimension(&self, expr: &Expr) -> bool {
-        let found = without_waves(expr).check(&self.setup.meaning).ok();
-        let dimension = found.and_then(|kind| kind.dimension());
-        dimension.is_some_and(|found| found.is_pure() || Some(found) == self.setup.kind.dimension())
-    }
+/// Whether a function with letters can have the dimension of the key, apart from what stands in its waves.
+fn has_dimension(key: &Prepared<'_>, expr: &Expr) -> bool {
+    let found = without_waves(expr).check(&key.setup.meaning).ok();
+    let dimension = found.and_then(|kind| kind.dimension());
+    dimension.is_some_and(|found| found.is_pure() || Some(found) == key.setup.kind.dimension())
+}
 
-    /// Whether degrees are added to what is not an angle: `cos 5 t + 30°`.
-    fn adds_angle(&self, expr: &Expr) -> bool {
-        let mut has_degrees = false;
-        without_waves(expr).walk(&mut |node| {
-            has_degrees |= matches!(node.kind(), Kind::Measure(..));
-        });
-        let key = self.setup.kind.dimension();
-        has_degrees && key.is_some_and(|dimension| !dimension.is_pure())
-    }
+/// Whether degrees are added to what is not an angle: `cos 5 t + 30°`.
+fn adds_angle(key: &Prepared<'_>, expr: &Expr) -> bool {
+    let mut has_degrees = false;
+    without_waves(expr).walk(&mut |node| {
+        has_degrees |= matches!(node.kind(), Kind::Measure(..));
+    });
+    let key = key.setup.kind.dimension();
+    has_degrees && key.is_some_and(|dimension| !dimension.is_pure())
 }

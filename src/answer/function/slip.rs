@@ -14,75 +14,73 @@ const SEEN: f64 = 8.0;
 /// Samples that a motion has to begin with to begin rightly.
 const FIRST: usize = 3;
 
-impl Prepared<'_> {
-    /// The slip that made a wrong function, if it can be diagnosed.
-    pub(crate) fn slip(&self, response: &Response) -> Option<Slip> {
-        let scaled = |factor: f64| {
-            let all = response.values.iter();
-            let scaled = all.map(|of| of.iter().map(|value| factor * value).collect());
-            scaled.collect::<Vec<Vec<f64>>>()
-        };
-        let fits = |found: &[Vec<f64>]| self.fits(found, &self.values);
-        let fits_with = |change: &dyn Fn(&Expr) -> Option<Expr>| {
-            let changed = in_angles(&response.expr, change);
-            let values = self.values_in(&changed, &response.units);
-            values.is_some_and(|values| fits(&values))
-        };
-        let variable = &self.setup.variable;
-        let at = |angle: &Expr, time: Expr| {
-            let put = Substitution::new().with(variable.clone(), time);
-            put.apply(angle).ok()
-        };
-        if fits(&scaled(-1.0)) {
-            return Some(Slip::Sign(Negated::Whole));
-        }
-        let degrees = |angle: &Expr| {
-            let start = at(angle, Expr::number(0))?;
-            let radians = start.clone() * Expr::constant(Constant::Pi) / Expr::number(180);
-            Some(angle.clone() - start + radians)
-        };
-        if fits_with(&degrees) {
-            return Some(Slip::PhaseInDegrees);
-        }
-        let turns = |angle: &Expr| {
-            let turn = Expr::number(2) * Expr::constant(Constant::Pi);
-            at(angle, turn * Expr::name(variable.clone()))
-        };
-        if fits_with(&turns) {
-            return Some(Slip::TwoPi(TwoPi::Wave));
-        }
-        let is_bare = !self.has_data(&response.expr);
-        let ten = |power: i32| fits(&scaled(crate::numerics::powi(10.0, power)));
-        if is_bare && (1..=6).any(|power| ten(power) || ten(-power)) {
-            let unit = self.setup.unit.unwrap_or(Unit::ONE);
-            return Some(Slip::PowerOfTen(Decades::Function(unit)));
-        }
-        let found = response.values.iter().map(|values| self.course(values));
-        found
-            .flatten()
-            .min_by_key(|slip| *slip != Slip::Near(Close::Rounding))
+/// The slip that made a wrong function, if it can be diagnosed.
+pub(crate) fn slip(key: &Prepared<'_>, response: &Response) -> Option<Slip> {
+    let scaled = |factor: f64| {
+        let all = response.values.iter();
+        let scaled = all.map(|of| of.iter().map(|value| factor * value).collect());
+        scaled.collect::<Vec<Vec<f64>>>()
+    };
+    let fits = |found: &[Vec<f64>]| key.fits(found, &key.values);
+    let fits_with = |change: &dyn Fn(&Expr) -> Option<Expr>| {
+        let changed = in_angles(&response.expr, change);
+        let values = key.values_in(&changed, &response.units);
+        values.is_some_and(|values| fits(&values))
+    };
+    let variable = &key.setup.variable;
+    let at = |angle: &Expr, time: Expr| {
+        let put = Substitution::new().with(variable.clone(), time);
+        put.apply(angle).ok()
+    };
+    if fits(&scaled(-1.0)) {
+        return Some(Slip::Sign(Negated::Whole));
     }
+    let degrees = |angle: &Expr| {
+        let start = at(angle, Expr::number(0))?;
+        let radians = start.clone() * Expr::constant(Constant::Pi) / Expr::number(180);
+        Some(angle.clone() - start + radians)
+    };
+    if fits_with(&degrees) {
+        return Some(Slip::PhaseInDegrees);
+    }
+    let turns = |angle: &Expr| {
+        let turn = Expr::number(2) * Expr::constant(Constant::Pi);
+        at(angle, turn * Expr::name(variable.clone()))
+    };
+    if fits_with(&turns) {
+        return Some(Slip::TwoPi(TwoPi::Wave));
+    }
+    let is_bare = !key.has_data(&response.expr);
+    let ten = |power: i32| fits(&scaled(crate::numerics::powi(10.0, power)));
+    if is_bare && (1..=6).any(|power| ten(power) || ten(-power)) {
+        let unit = key.setup.unit.unwrap_or(Unit::ONE);
+        return Some(Slip::PowerOfTen(Decades::Function(unit)));
+    }
+    let found = response.values.iter().map(|values| course(key, values));
+    found
+        .flatten()
+        .min_by_key(|slip| *slip != Slip::Near(Close::Rounding))
+}
 
-    /// What the differences from the key say.
-    fn course(&self, values: &[f64]) -> Option<Slip> {
-        let pairs = values.iter().zip(&self.values);
-        let differences: Vec<f64> = pairs.map(|(typed, key)| (typed - key).abs()).collect();
-        let is_within = |count: usize, times: f64| {
-            let mut pairs = differences.iter().zip(&self.halves).take(count);
-            pairs.all(|(difference, half)| *difference <= times * half)
-        };
-        let largest = |of: &[f64]| of.iter().copied().fold(0.0, f64::max);
-        let grows = largest(&differences) > 2.0 * largest(&differences[..differences.len() / 3]);
-        // What begins with nothing begins alike whatever follows.
-        let mut first = self.values.iter().zip(&self.halves).take(FIRST);
-        let is_seen = first.any(|(key, half)| key.abs() > SEEN * half);
-        if is_within(differences.len(), NEAR) {
-            Some(Slip::Near(Close::Rounding))
-        } else if is_seen && is_within(FIRST, 2.0) && grows {
-            Some(Slip::RunsAway)
-        } else {
-            None
-        }
+/// What the differences from the key say.
+fn course(key: &Prepared<'_>, values: &[f64]) -> Option<Slip> {
+    let pairs = values.iter().zip(&key.values);
+    let differences: Vec<f64> = pairs.map(|(typed, own)| (typed - own).abs()).collect();
+    let is_within = |count: usize, times: f64| {
+        let mut pairs = differences.iter().zip(&key.halves).take(count);
+        pairs.all(|(difference, half)| *difference <= times * half)
+    };
+    let largest = |of: &[f64]| of.iter().copied().fold(0.0, f64::max);
+    let grows = largest(&differences) > 2.0 * largest(&differences[..differences.len() / 3]);
+    // What begins with nothing begins alike whatever follows.
+    let mut first = key.values.iter().zip(&key.halves).take(FIRST);
+    let is_seen = first.any(|(own, half)| own.abs() > SEEN * half);
+    if is_within(differences.len(), NEAR) {
+        Some(Slip::Near(Close::Rounding))
+    } else if is_seen && is_within(FIRST, 2.0) && grows {
+        Some(Slip::RunsAway)
+    } else {
+        None
     }
 }
 

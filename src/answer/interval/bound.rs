@@ -1,18 +1,55 @@
 //! The values of bounds.
 
+use std::cell::Cell;
 use std::collections::BTreeMap;
 
-use super::read::{Ends, Read, like_interval};
-use super::{Written, compared, is_infinite};
+use super::read::{Read, like_interval};
+use super::set::End;
+use super::{Setup, Written, compared, is_infinite};
 use crate::answer::numeric;
-use crate::answer::{Misfit, Unreadable, Why};
-use crate::expr::{Expr, Kind, Workspace};
+use crate::answer::{Example, Misfit, Unreadable, Why};
+use crate::expr::{Expr, Kind, Precise, Workspace};
 use crate::response::{Manner, Passage};
-use crate::unit::{Quantity, Unit};
+use crate::unit::{DecimalMark, Quantity, Unit};
+
+/// Reads the ends of sets for an instance.
+pub(crate) struct Ends<'a> {
+    pub(crate) setup: &'a Setup,
+    pub(crate) data: &'a [Precise],
+    pub(crate) mark: DecimalMark,
+    /// Whether numbers that may be meant otherwise are, `1,250` as a decimal or in thousands.
+    pub(crate) is_otherwise: bool,
+    /// Whether a number may be meant otherwise; noted while a set is read.
+    pub(crate) is_doubtful: Cell<bool>,
+}
 
 impl Ends<'_> {
+    /// An end of an interval.
+    pub(crate) fn end(
+        &self,
+        side: Passage<'_>,
+        is_open: bool,
+        unit: &mut Option<Unit>,
+    ) -> Read<End> {
+        let value = self.side(side, unit)?;
+        let is_open = is_open || !value.is_finite();
+        Ok(End { value, is_open })
+    }
+
+    /// The unit that comes after a bracket.
+    pub(crate) fn unit_behind(&self, unit: Passage<'_>) -> Read<Unit> {
+        let one = unit.one_of_unit();
+        // A unit of another dimension is reported as that of a bound is.
+        self.number(one.passage(), &mut None)?;
+        let one = self
+            .quantity(one.passage())
+            .filter(|one| !one.unit.is_one());
+        let one = one.ok_or_else(|| Unreadable::at(unit, Why::NoUnit).like(Example::Interval))?;
+        Ok(one.unit)
+    }
+
     /// The value of a bound in SI units.
-    pub(crate) fn side(&self, side: Passage<'_>, unit: &mut Option<Unit>) -> Read<f64> {
+    fn side(&self, side: Passage<'_>, unit: &mut Option<Unit>) -> Read<f64> {
         let number = self.number(side, unit);
         // Of `√(2km)` the letters could be a unit, kilometres, that does not fit.
         let is_formula = number.is_err() && self.fits_in_letters(side);
@@ -91,7 +128,7 @@ impl Ends<'_> {
     }
 
     /// A quantity, if a side is one.
-    pub(crate) fn quantity(&self, side: Passage<'_>) -> Option<Quantity> {
+    fn quantity(&self, side: Passage<'_>) -> Option<Quantity> {
         let (first, others) = numeric::readings(side, self.mark).ok()?;
         if !others.is_empty() {
             self.is_doubtful.set(true);

@@ -23,7 +23,8 @@ mod subject;
 use std::cell::Cell;
 use std::sync::Arc;
 
-use self::read::{Ends, Refusal};
+use self::bound::Ends;
+use self::read::Refusal;
 use self::set::{End, Set, SetPiece};
 use super::letters::Allowed;
 use super::matrix::Written;
@@ -474,7 +475,7 @@ impl Prepared {
             is_otherwise,
             is_doubtful: Cell::new(false),
         };
-        let read = ends.read(response);
+        let read = read::read(&ends, response);
         (self.marked(response, read), ends.is_doubtful.get())
     }
 

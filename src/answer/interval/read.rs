@@ -1,25 +1,11 @@
 //! Reads inequalities and intervals.
 
-use std::cell::Cell;
-
-use super::Setup;
+use super::bound::Ends;
 use super::set::{End, Set, SetPiece};
 use super::subject::BoundedSubject;
 use crate::answer::{Example, Misfit, Unreadable, Why};
-use crate::expr::Precise;
 use crate::response::{Bounding, Condition, Group, Passage, RangeError, Ranges, Said};
-use crate::unit::{DecimalMark, Unit};
-
-/// Reads sets for an instance.
-pub(crate) struct Ends<'a> {
-    pub(crate) setup: &'a Setup,
-    pub(crate) data: &'a [Precise],
-    pub(crate) mark: DecimalMark,
-    /// Whether numbers that may be meant otherwise are, `1,250` as a decimal or in thousands.
-    pub(crate) is_otherwise: bool,
-    /// Whether a number may be meant otherwise; noted while a set is read.
-    pub(crate) is_doubtful: Cell<bool>,
-}
+use crate::unit::Unit;
 
 /// Why a response is no set.
 #[derive(Debug)]
@@ -55,156 +41,137 @@ pub(crate) fn like_interval(why: Why) -> Unreadable {
     Unreadable::of(why).like(Example::Interval)
 }
 
-impl Ends<'_> {
-    /// The set that a response is.
-    pub(crate) fn read(&self, response: Passage<'_>) -> Read<Set> {
-        // A number without a unit has that of the next one.
-        let mut unit = None;
-        let groups = match Ranges::read(response, self.mark).map_err(unread)? {
-            Ranges::SideBySide(conditions) => {
-                let sets = conditions.iter().rev();
-                let sets = sets.map(|condition| self.condition(condition, &mut unit));
-                return side_by_side(&sets.collect::<Read<Vec<Set>>>()?);
-            }
-            Ranges::Union(groups) => groups,
-        };
-        let mut pieces = Vec::new();
-        for Group { typed, conditions } in groups.iter().rev() {
+/// The set that a response is.
+pub(crate) fn read(ends: &Ends<'_>, response: Passage<'_>) -> Read<Set> {
+    // A number without a unit has that of the next one.
+    let mut unit = None;
+    let groups = match Ranges::read(response, ends.mark).map_err(unread)? {
+        Ranges::SideBySide(conditions) => {
             let sets = conditions.iter().rev();
-            let sets = sets
-                .map(|condition| self.condition(condition, &mut unit))
-                .collect::<Read<Vec<Set>>>()?;
-            let are_met = sets.iter().all(|set| !set.0.is_empty());
-            let common = sets.into_iter().reduce(|all, own| all.common(&own));
-            let common = common.unwrap_or_default();
-            if are_met && common.0.is_empty() {
-                return Err(Why::NoneSatisfies((*typed).into()).into());
-            }
-            pieces.extend(common.0);
+            let sets = sets.map(|condition| set_of(ends, condition, &mut unit));
+            return side_by_side(&sets.collect::<Read<Vec<Set>>>()?);
         }
-        Ok(Set::of(pieces))
+        Ranges::Union(groups) => groups,
+    };
+    let mut pieces = Vec::new();
+    for Group { typed, conditions } in groups.iter().rev() {
+        let sets = conditions.iter().rev();
+        let sets = sets
+            .map(|condition| set_of(ends, condition, &mut unit))
+            .collect::<Read<Vec<Set>>>()?;
+        let are_met = sets.iter().all(|set| !set.0.is_empty());
+        let common = sets.into_iter().reduce(|all, own| all.common(&own));
+        let common = common.unwrap_or_default();
+        if are_met && common.0.is_empty() {
+            return Err(Why::NoneSatisfies((*typed).into()).into());
+        }
+        pieces.extend(common.0);
     }
+    Ok(Set::of(pieces))
+}
 
-    fn condition(&self, condition: &Condition<'_>, unit: &mut Option<Unit>) -> Read<Set> {
-        for own in &condition.units {
-            *unit = Some(self.unit_behind(*own)?);
-        }
-        match &condition.said {
-            Said::Chain { sides, signs } => self.chain(sides, signs, unit),
-            Said::Interval {
-                subject,
-                ends,
-                open,
-            } => self.interval(*subject, *ends, *open, unit),
-        }
+/// The set that a condition says.
+fn set_of(ends: &Ends<'_>, condition: &Condition<'_>, unit: &mut Option<Unit>) -> Read<Set> {
+    for own in &condition.units {
+        *unit = Some(ends.unit_behind(*own)?);
     }
+    match &condition.said {
+        Said::Chain { sides, signs } => chain(ends, sides, signs, unit),
+        Said::Interval {
+            subject,
+            ends: typed,
+            open,
+        } => interval(ends, *subject, *typed, *open, unit),
+    }
+}
 
-    fn chain(
-        &self,
-        sides: &[Passage<'_>],
-        signs: &[Bounding],
-        unit: &mut Option<Unit>,
-    ) -> Read<Set> {
-        // `≥ 0.3` speaks of what is asked.
-        let is_left_out = signs.len() == 1 && sides[0].is_empty();
-        let variable = is_left_out.then_some((0, BoundedSubject::Variable));
-        // The unit that stands last serves the numbers before it.
-        let behind = |at: usize| {
-            let mut own = *unit;
-            // A longer chain is refused whatever its units are.
-            let behind = sides.get(at + 1..).filter(|_| sides.len() <= 3);
-            for side in behind.into_iter().flatten().rev() {
-                // What is wrong with a bound is reported where it is read.
-                let _ = self.number(*side, &mut own);
-            }
-            own
+fn chain(
+    ends: &Ends<'_>,
+    sides: &[Passage<'_>],
+    signs: &[Bounding],
+    unit: &mut Option<Unit>,
+) -> Read<Set> {
+    // `≥ 0.3` speaks of what is asked.
+    let is_left_out = signs.len() == 1 && sides[0].is_empty();
+    let variable = is_left_out.then_some((0, BoundedSubject::Variable));
+    // The unit that stands last serves the numbers before it.
+    let behind = |at: usize| {
+        let mut own = *unit;
+        // A longer chain is refused whatever its units are.
+        let behind = sides.get(at + 1..).filter(|_| sides.len() <= 3);
+        for side in behind.into_iter().flatten().rev() {
+            // What is wrong with a bound is reported where it is read.
+            let _ = ends.number(*side, &mut own);
+        }
+        own
+    };
+    let mut subjects = sides
+        .iter()
+        .enumerate()
+        .map(|(at, side)| (at, BoundedSubject::of(ends, *side, behind(at))));
+    let subject = variable.or_else(|| subjects.find_map(|(at, own)| Some((at, own?))));
+    let Some((place, subject)) = subject else {
+        return Err(without_subject(ends, sides).into());
+    };
+    if place > 1 || place + 2 < sides.len() {
+        return Err(like_interval(Why::LongChain).into());
+    }
+    let mut piece = SetPiece([End::none(0), End::none(1)]);
+    for (at, sign) in signs.iter().enumerate().rev() {
+        // Each sign bounds the subject by what stands on its other side.
+        let (bound, is_less) = if at >= place {
+            (sides[at + 1], sign.is_less)
+        } else {
+            (sides[at], !sign.is_less)
         };
-        let mut subjects = sides
-            .iter()
-            .enumerate()
-            .map(|(at, side)| (at, self.subject(*side, behind(at))));
-        let subject = variable.or_else(|| subjects.find_map(|(at, own)| Some((at, own?))));
-        let Some((place, subject)) = subject else {
-            return Err(self.without_subject(sides).into());
-        };
-        if place > 1 || place + 2 < sides.len() {
-            return Err(like_interval(Why::LongChain).into());
+        let end = usize::from(is_less);
+        let own = ends.end(bound, sign.is_open, unit)?;
+        if piece.0[end].value.is_finite() {
+            return Err(like_interval(Why::SameWay).into());
         }
-        let mut piece = SetPiece([End::none(0), End::none(1)]);
-        for (at, sign) in signs.iter().enumerate().rev() {
-            // Each sign bounds the subject by what stands on its other side.
-            let (bound, is_less) = if at >= place {
-                (sides[at + 1], sign.is_less)
-            } else {
-                (sides[at], !sign.is_less)
-            };
-            let end = usize::from(is_less);
-            let own = self.end(bound, sign.is_open, unit)?;
-            if piece.0[end].value.is_finite() {
-                return Err(like_interval(Why::SameWay).into());
-            }
-            piece.0[end] = own;
-        }
-        Ok(subject.where_it_is_in(one(piece)?))
+        piece.0[end] = own;
     }
+    Ok(subject.where_it_is_in(one(piece)?))
+}
 
-    fn interval(
-        &self,
-        subject: Option<Passage<'_>>,
-        [low, high]: [Passage<'_>; 2],
-        open: Option<[bool; 2]>,
-        unit: &mut Option<Unit>,
-    ) -> Read<Set> {
-        let subject = match subject {
-            None => BoundedSubject::Variable,
-            Some(name) => self.subject(name, *unit).ok_or_else(|| {
-                let symbol = self.setup.symbol.plain();
-                Unreadable::at(name, Why::BeforeInterval(symbol))
-            })?,
-        };
-        if open.is_none() && self.setup.is_strict {
-            return Err(like_interval(Why::EndsInWords).into());
-        }
-        let [is_open_low, is_open_high] = open.unwrap_or_default();
-        let high = self.end(high, is_open_high, unit)?;
-        let low = self.end(low, is_open_low, unit)?;
-        Ok(subject.where_it_is_in(one(SetPiece([low, high]))?))
+fn interval(
+    ends: &Ends<'_>,
+    subject: Option<Passage<'_>>,
+    [low, high]: [Passage<'_>; 2],
+    open: Option<[bool; 2]>,
+    unit: &mut Option<Unit>,
+) -> Read<Set> {
+    let subject = match subject {
+        None => BoundedSubject::Variable,
+        Some(name) => BoundedSubject::of(ends, name, *unit).ok_or_else(|| {
+            let symbol = ends.setup.symbol.plain();
+            Unreadable::at(name, Why::BeforeInterval(symbol))
+        })?,
+    };
+    if open.is_none() && ends.setup.is_strict {
+        return Err(like_interval(Why::EndsInWords).into());
     }
+    let [is_open_low, is_open_high] = open.unwrap_or_default();
+    let high = ends.end(high, is_open_high, unit)?;
+    let low = ends.end(low, is_open_low, unit)?;
+    Ok(subject.where_it_is_in(one(SetPiece([low, high]))?))
+}
 
-    fn end(&self, side: Passage<'_>, is_open: bool, unit: &mut Option<Unit>) -> Read<End> {
-        let value = self.side(side, unit)?;
-        let is_open = is_open || !value.is_finite();
-        Ok(End { value, is_open })
-    }
-
-    /// The unit that comes after a bracket.
-    fn unit_behind(&self, unit: Passage<'_>) -> Read<Unit> {
-        let one = unit.one_of_unit();
-        // A unit of another dimension is reported as that of a bound is.
-        self.number(one.passage(), &mut None)?;
-        let one = self
-            .quantity(one.passage())
-            .filter(|one| !one.unit.is_one());
-        let one = one.ok_or_else(|| Unreadable::at(unit, Why::NoUnit).like(Example::Interval))?;
-        Ok(one.unit)
-    }
-
-    /// What is said of an inequality without what is asked.
-    fn without_subject(&self, sides: &[Passage<'_>]) -> Unreadable {
-        let (symbol, variable) = (self.setup.symbol.plain(), &self.setup.variable);
-        let formulas = sides.iter().map(|side| self.formula(*side));
-        let (mut is_there, mut trouble) = (false, None);
-        for formula in formulas {
-            match formula {
-                Ok(formula) => is_there |= formula.names().uses(variable),
-                Err(why) => trouble = Some(why),
-            }
+/// What is said of an inequality without what is asked.
+fn without_subject(ends: &Ends<'_>, sides: &[Passage<'_>]) -> Unreadable {
+    let (symbol, variable) = (ends.setup.symbol.plain(), &ends.setup.variable);
+    let formulas = sides.iter().map(|side| ends.formula(*side));
+    let (mut is_there, mut trouble) = (false, None);
+    for formula in formulas {
+        match formula {
+            Ok(formula) => is_there |= formula.names().uses(variable),
+            Err(why) => trouble = Some(why),
         }
-        match trouble {
-            _ if is_there => like_interval(Why::SolveForDistance(symbol)),
-            Some(why) => why,
-            None => like_interval(Why::NotInInequality(symbol)),
-        }
+    }
+    match trouble {
+        _ if is_there => like_interval(Why::SolveForDistance(symbol)),
+        Some(why) => why,
+        None => like_interval(Why::NotInInequality(symbol)),
     }
 }
 

@@ -1,6 +1,6 @@
 //! What an inequality bounds: the variable, or a distance such as `|x - a|`.
 
-use super::read::Ends;
+use super::bound::Ends;
 use super::set::{End, Set, SetPiece};
 use crate::expr::{Expr, Function, Kind, Substitution};
 use crate::numerics::Rational;
@@ -16,6 +16,20 @@ pub(crate) enum BoundedSubject {
 }
 
 impl BoundedSubject {
+    /// What a side speaks of, if it is the variable or a distance on its axis; a number there that has no unit has the one
+    /// at hand.
+    pub(crate) fn of(ends: &Ends<'_>, side: Passage<'_>, unit: Option<Unit>) -> Option<Self> {
+        if let Some(distance) = distance_from_number(ends, side, unit) {
+            return Some(distance);
+        }
+        let expr = ends.formula(side).ok()?;
+        match expr.kind() {
+            Kind::Name(name) if *name == ends.setup.variable => Some(Self::Variable),
+            Kind::Call(Function::Abs, arguments) => distance(ends, arguments.first()?),
+            _ => None,
+        }
+    }
+
     /// The values of the variable for which it lies in a piece.
     pub(crate) fn where_it_is_in(&self, piece: SetPiece) -> Set {
         let Self::Distance { centre, slope } = self else {
@@ -36,65 +50,48 @@ impl BoundedSubject {
     }
 }
 
-impl Ends<'_> {
-    /// What a side speaks of, if it is the variable or a distance on its axis; a number there that has no unit has the one
-    /// at hand.
-    pub(crate) fn subject(&self, side: Passage<'_>, unit: Option<Unit>) -> Option<BoundedSubject> {
-        if let Some(distance) = self.distance_from_number(side, unit) {
-            return Some(distance);
-        }
-        let expr = self.formula(side).ok()?;
-        match expr.kind() {
-            Kind::Name(name) if *name == self.setup.variable => Some(BoundedSubject::Variable),
-            Kind::Call(Function::Abs, arguments) => self.distance(arguments.first()?),
-            _ => None,
-        }
-    }
+/// The distance `|x - 92.5 mm|` from a number.
+fn distance_from_number(
+    ends: &Ends<'_>,
+    side: Passage<'_>,
+    unit: Option<Unit>,
+) -> Option<BoundedSubject> {
+    let ([one, other], is_less) = side.distance()?;
+    let is_variable = |term: Passage<'_>| {
+        let formula = ends.formula(term);
+        formula
+            .is_ok_and(|own| matches!(own.kind(), Kind::Name(name) if *name == ends.setup.variable))
+    };
+    let number = if is_variable(one) {
+        other
+    } else {
+        Some(one).filter(|_| is_variable(other))?
+    };
+    let centre = ends.number(number, &mut { unit }).ok().flatten()?;
+    Some(BoundedSubject::Distance {
+        centre: if is_less { centre } else { -centre },
+        slope: 1.0,
+    })
+}
 
-    /// The distance `|x - 92.5 mm|` from a number.
-    fn distance_from_number(
-        &self,
-        side: Passage<'_>,
-        unit: Option<Unit>,
-    ) -> Option<BoundedSubject> {
-        let ([one, other], is_less) = side.distance()?;
-        let is_variable = |term: Passage<'_>| {
-            let formula = self.formula(term);
-            formula.is_ok_and(
-                |own| matches!(own.kind(), Kind::Name(name) if *name == self.setup.variable),
-            )
-        };
-        let number = if is_variable(one) {
-            other
-        } else {
-            Some(one).filter(|_| is_variable(other))?
-        };
-        let centre = self.number(number, &mut { unit }).ok().flatten()?;
-        Some(BoundedSubject::Distance {
-            centre: if is_less { centre } else { -centre },
-            slope: 1.0,
-        })
+/// The place where a linear expression in the variable vanishes, and its slope.
+fn distance(ends: &Ends<'_>, inner: &Expr) -> Option<BoundedSubject> {
+    // Three values of one formula, with a few roundings each; a curvature that is meant shows far more.
+    const ROUNDING: f64 = 1e-9;
+    let variable = &ends.setup.variable;
+    let at = |place: i32| {
+        let unit = Box::new(ends.setup.unit.coherent());
+        let place = Expr::derived(Kind::Measure(Rational::from(place), unit));
+        let put = Substitution::new().with(variable.as_str(), place);
+        ends.value(&put.apply(inner).ok()?)
+    };
+    if !inner.names().uses(variable) {
+        return None;
     }
-
-    /// The place where a linear expression in the variable vanishes, and its slope.
-    fn distance(&self, inner: &Expr) -> Option<BoundedSubject> {
-        // Three values of one formula, with a few roundings each; a curvature that is meant shows far more.
-        const ROUNDING: f64 = 1e-9;
-        let variable = &self.setup.variable;
-        let at = |place: i32| {
-            let unit = Box::new(self.setup.unit.coherent());
-            let place = Expr::derived(Kind::Measure(Rational::from(place), unit));
-            let put = Substitution::new().with(variable.as_str(), place);
-            self.value(&put.apply(inner).ok()?)
-        };
-        if !inner.names().uses(variable) {
-            return None;
-        }
-        let (start, slope) = (at(0)?, at(1)? - at(0)?);
-        let is_linear = (at(2)? - at(1)? - slope).abs() <= ROUNDING * slope.abs();
-        (is_linear && slope != 0.0).then_some(BoundedSubject::Distance {
-            centre: -start / slope,
-            slope: slope.abs(),
-        })
-    }
+    let (start, slope) = (at(0)?, at(1)? - at(0)?);
+    let is_linear = (at(2)? - at(1)? - slope).abs() <= ROUNDING * slope.abs();
+    (is_linear && slope != 0.0).then_some(BoundedSubject::Distance {
+        centre: -start / slope,
+        slope: slope.abs(),
+    })
 }

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-use super::{Setup, Written};
+use super::{Setup, Written, slip};
 use crate::answer::equality::{Comparable, Comparison, Points};
 use crate::answer::trial::typed as typed_number;
 use crate::answer::{
@@ -61,8 +61,8 @@ impl Prepared {
             })
         };
         self.marking(reading, &wrong, named, || {
-            let misfit = self.wrong_dimension(entries, &wrong).map(Remark::from);
-            let slip = || self.slip_of_formulas(formulas, &typed, &comparisons);
+            let misfit = slip::wrong_dimension(self, entries, &wrong).map(Remark::from);
+            let slip = || slip::of_formulas(self, formulas, &typed, &comparisons);
             misfit.or_else(|| slip().map(Remark::from))
         })
     }
@@ -92,7 +92,7 @@ impl Prepared {
                     && (0..numbers.len()).all(|place| are_near(&mistake.numbers, place))
             })
         };
-        let slip = || self.slip_of_numbers(numbers).map(Remark::from);
+        let slip = || slip::of_numbers(self, numbers).map(Remark::from);
         self.marking(reading, &wrong, named, slip)
     }
 

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use super::modes::Modes;
-use super::read::Shapes;
+use super::read::{Shapes, read};
 use super::span::{are_independent, away, independent, length, lies_in};
 use super::{AskedScale, Setup};
 use crate::answer::matrix::Written;
@@ -151,14 +151,6 @@ impl Prepared {
         }
         (self.keys.len() > 1).then_some(Shape::Wrong(asked))
     }
-
-    pub(crate) fn typeset(entries: &[Math], width: usize) -> Math {
-        let mut rows = entries
-            .chunks(width.max(1))
-            .map(|row| Math::matrix(row.iter().map(|entry| vec![entry.clone()]).collect()));
-        let first = rows.next().unwrap_or_else(|| Math::row([]));
-        Math::row(std::iter::once(first).chain(rows.flat_map(|row| [Math::punctuation(","), row])))
-    }
 }
 
 impl Marker for Prepared {
@@ -210,7 +202,7 @@ impl Marker for Prepared {
         };
         let shown: Vec<Math> = self.scaled().into_iter().flatten().map(set).collect();
         Key {
-            math: Self::typeset(&shown, self.width()),
+            math: typeset(&shown, self.width()),
             accepted: None,
             value: KeyValue::Numbers {
                 form: self.key.form(),
@@ -220,12 +212,12 @@ impl Marker for Prepared {
     }
 
     fn echo(&self, response: Passage<'_>) -> Result<Echo, Unreadable> {
-        let readings = self.read(response)?.into_iter().map(|own| own.reading);
+        let readings = read(self, response)?.into_iter().map(|own| own.reading);
         Echo::of(readings).ok_or_else(|| Why::ComponentValue.into())
     }
 
     fn mark(&self, response: Passage<'_>) -> Marking {
-        let mut readings = match self.read(response) {
+        let mut readings = match read(self, response) {
             Ok(readings) => readings,
             Err(why) => return Marking::unreadable(why),
         };
@@ -258,6 +250,14 @@ impl Marker for Prepared {
     }
 }
 
+/// Vectors side by side, of this many components each.
+pub(crate) fn typeset(entries: &[Math], width: usize) -> Math {
+    let mut rows = entries
+        .chunks(width.max(1))
+        .map(|row| Math::matrix(row.iter().map(|entry| vec![entry.clone()]).collect()));
+    let first = rows.next().unwrap_or_else(|| Math::row([]));
+    Math::row(std::iter::once(first).chain(rows.flat_map(|row| [Math::punctuation(","), row])))
+}
 /// The component that is shown as one where any scale will do: the first, or the largest if the first is small.
 fn simple_scale(vector: &[f64]) -> f64 {
     // A component near a node has few figures, and dividing by it would pass its rounding on to all others.

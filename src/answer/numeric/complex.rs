@@ -2,6 +2,7 @@
 
 use super::list::{parted, without_empty_ends};
 use super::read::explained;
+use super::trial;
 use crate::answer::settle::{Candidate, Rule, settle};
 use crate::answer::{
     Answered, Credit, Decades, Doubt, Echo, Example, Key, KeyValue, Marker, Marking, Misfit,
@@ -27,7 +28,7 @@ pub(crate) struct Target {
 }
 
 /// A prepared key.
-pub(crate) struct Numbers {
+pub(crate) struct ComplexNumbers {
     pub(crate) unit: Unit,
     pub(crate) form: Form,
     pub(crate) digits: u32,
@@ -202,7 +203,7 @@ fn unclear<'s>(
     })
 }
 
-impl Numbers {
+impl ComplexNumbers {
     fn read(
         &self,
         values: &Values<'_>,
@@ -336,9 +337,9 @@ impl Numbers {
     }
 }
 
-impl Marker for Numbers {
+impl Marker for ComplexNumbers {
     fn trials(&self) -> Vec<Trial> {
-        self.made_up()
+        trial::of_complex_numbers(self)
     }
 
     fn key(&self) -> Key {
@@ -392,7 +393,7 @@ impl Marker for Numbers {
     }
 }
 
-impl Numbers {
+impl ComplexNumbers {
     fn values<'r>(&self, response: Passage<'r>) -> Result<Values<'r>, Unreadable> {
         if self.is_list {
             return parted(response, self.mark, true, self.targets.len());

@@ -2,6 +2,7 @@
 
 use super::marker::Numbers;
 use super::read::{Setting, TypedNumber, number, statement};
+use super::slip::slip;
 use super::target::{Typed, pair};
 use super::words::angles;
 use crate::answer::{Credit, Example, Marking, Remark, Slip, Unreadable, Why};
@@ -220,57 +221,55 @@ fn unbracketed(values: &Values<'_>, part: &Part) -> (Part, Option<Unit>) {
     }
 }
 
-impl Numbers {
-    /// Marks the numbers of a list.
-    pub(crate) fn mark_list(&self, items: &[TypedNumber], is_ordered: bool) -> Marking {
-        let mut typed = Vec::with_capacity(items.len());
-        for item in items {
-            match self.si(&item.quantity) {
-                Ok(value) => typed.push(value),
-                Err(_) => return self.wrong_dimension(item),
-            }
+/// Marks the numbers of a list.
+pub(crate) fn mark_list(key: &Numbers, items: &[TypedNumber], is_ordered: bool) -> Marking {
+    let mut typed = Vec::with_capacity(items.len());
+    for item in items {
+        match key.si(&item.quantity) {
+            Ok(value) => typed.push(value),
+            Err(_) => return key.wrong_dimension(item),
         }
-        let absurd = || typed.iter().find_map(|value| self.absurd(*value));
-        let misread = items
-            .iter()
-            .find_map(|item| angles(&item.quantity.unit, &self.unit));
-        if let Some(why) = misread.or_else(absurd) {
-            return Marking::unreadable(why);
-        }
-        let numbers: Vec<f64> = typed.iter().map(|value| value.hi()).collect();
-        let reading = Self::reading(items, &numbers, self.mark);
-        let matched = pair(&self.targets, &typed, self.modulo, is_ordered);
-        let (expected, given) = (self.targets.len(), typed.len());
-        let is_bare =
-            |item: &TypedNumber| item.quantity.unit.is_one() && !item.quantity.value.is_zero();
-        if matched == expected && given == expected {
-            let mut marking = Marking::right(reading);
-            if !self.unit.is_one() && items.iter().any(is_bare) {
-                marking.say_taken(&self.unit);
-            }
-            return marking;
-        }
-        if let Some(marking) = self.mistake(&reading, items, &typed) {
-            return marking;
-        }
-        let surplus = given.saturating_sub(expected);
-        let share = Rational::new(matched.saturating_sub(surplus) as i128, expected as i128);
-        let credit = share.and_then(Credit::new).unwrap_or(Credit::NONE);
-        let unit = items.last().map_or(Unit::ONE, |last| last.quantity.unit);
-        let slip = self.slip(&typed, &unit);
-        let slip = slip.unwrap_or_else(|| self.counted(&typed, matched));
-        Marking::read(reading, credit, Remark::from(slip))
     }
-
-    /// How many numbers of a list are right.
-    fn counted(&self, typed: &[Typed], matched: usize) -> Slip {
-        let (of, given) = (self.targets.len(), typed.len());
-        let right = pair(&self.targets, typed, self.modulo, false);
-        Slip::Counted {
-            right,
-            of,
-            surplus: (given > of).then_some(given),
-            is_order_wrong: right != matched,
+    let absurd = || typed.iter().find_map(|value| key.absurd(*value));
+    let misread = items
+        .iter()
+        .find_map(|item| angles(&item.quantity.unit, &key.unit));
+    if let Some(why) = misread.or_else(absurd) {
+        return Marking::unreadable(why);
+    }
+    let numbers: Vec<f64> = typed.iter().map(|value| value.hi()).collect();
+    let reading = Numbers::reading(items, &numbers, key.mark);
+    let matched = pair(&key.targets, &typed, key.modulo, is_ordered);
+    let (expected, given) = (key.targets.len(), typed.len());
+    let is_bare =
+        |item: &TypedNumber| item.quantity.unit.is_one() && !item.quantity.value.is_zero();
+    if matched == expected && given == expected {
+        let mut marking = Marking::right(reading);
+        if !key.unit.is_one() && items.iter().any(is_bare) {
+            marking.say_taken(&key.unit);
         }
+        return marking;
+    }
+    if let Some(marking) = key.mistake(&reading, items, &typed) {
+        return marking;
+    }
+    let surplus = given.saturating_sub(expected);
+    let share = Rational::new(matched.saturating_sub(surplus) as i128, expected as i128);
+    let credit = share.and_then(Credit::new).unwrap_or(Credit::NONE);
+    let unit = items.last().map_or(Unit::ONE, |last| last.quantity.unit);
+    let slip = slip(key, &typed, &unit);
+    let slip = slip.unwrap_or_else(|| counted(key, &typed, matched));
+    Marking::read(reading, credit, Remark::from(slip))
+}
+
+/// How many numbers of a list are right.
+fn counted(key: &Numbers, typed: &[Typed], matched: usize) -> Slip {
+    let (of, given) = (key.targets.len(), typed.len());
+    let right = pair(&key.targets, typed, key.modulo, false);
+    Slip::Counted {
+        right,
+        of,
+        surplus: (given > of).then_some(given),
+        is_order_wrong: right != matched,
     }
 }

@@ -2,11 +2,14 @@
 
 use std::sync::Arc;
 
-use super::list::{List, list};
+use super::bands::bands;
+use super::list::{List, list, mark_list};
 use super::read::{self, Setting, TypedNumber};
-use super::slip::mixes_energy_and_moment;
+use super::slip::{mixes_energy_and_moment, slip};
 use super::target::{Target, Typed, pair};
+use super::trial;
 use super::words::{angles, counts, miswritten};
+use crate::answer::naming::Steps;
 use crate::answer::settle::{Candidate, Rule, settle};
 use crate::answer::{
     Answered, Band, Credit, Doubt, Echo, Key, KeyValue, Marker, Marking, Misfit, Mistaken, Note,
@@ -15,7 +18,6 @@ use crate::answer::{
 use crate::expr::{Constant, Expr, Form, Function, Kind, Operator, Shape};
 use crate::math::Math;
 use crate::numerics::Dd;
-use crate::answer::naming::Steps;
 use crate::response::{Passage, has_pi};
 use crate::unit::{Decimal, DecimalMark, Dimension, DimensionMismatch, Quantity, Unit};
 
@@ -114,7 +116,7 @@ impl Numbers {
         if let Some(marking) = self.mistake(&reading, std::slice::from_ref(number), &[typed]) {
             return marking;
         }
-        let slip = self.slip(&[typed], &quantity.unit);
+        let slip = slip(self, &[typed], &quantity.unit);
         Marking::wrong(reading, slip.map(Remark::from))
     }
 
@@ -434,7 +436,7 @@ impl Marker for Numbers {
                         items.iter().map(TypedNumber::otherwise).collect();
                     let is_doubtful = items.iter().any(|item| !item.others.is_empty());
                     let other = is_doubtful.then_some(&otherwise[..]);
-                    self.settled(&items, other, |items| self.mark_list(items, is_ordered))
+                    self.settled(&items, other, |items| mark_list(self, items, is_ordered))
                 }
                 Err(why) => Marking::unreadable(why),
             };
@@ -453,7 +455,7 @@ impl Marker for Numbers {
     }
 
     fn trials(&self) -> Vec<Trial> {
-        self.made_up()
+        trial::of_numbers(self)
     }
 
     fn clearance(&self, limit: f64) -> Option<f64> {
@@ -508,7 +510,7 @@ impl Marker for Numbers {
     }
 
     fn bands(&self) -> Vec<Vec<Band>> {
-        self.bands_of_values()
+        bands(self)
     }
 
     fn half_widths(&self) -> Vec<f64> {

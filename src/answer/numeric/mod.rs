@@ -352,7 +352,7 @@ impl Numeric {
     }
 
     /// The marker of complex keys: the tolerance is a distance in the plane.
-    fn complex(&self, key: &crate::expr::Value, context: &Context<'_>) -> complex::Numbers {
+    fn complex(&self, key: &crate::expr::Value, context: &Context<'_>) -> complex::ComplexNumbers {
         let evaluation = &*context.evaluation;
         let spreads = std::cell::OnceCell::new();
         let target = |entry: usize| {
@@ -368,7 +368,7 @@ impl Numeric {
                 half: self.half_width(size, spread, evaluation),
             }
         };
-        complex::Numbers {
+        complex::ComplexNumbers {
             unit: self.unit,
             form: key.form(),
             digits: self.digits,

@@ -5,8 +5,8 @@ use crate::answer::{Example, Unreadable, Why};
 use crate::expr::{Constant, Expr, Kind, Operator, PlainNotation};
 use crate::math::Math;
 use crate::response::{
-    Amount, Manner, Number as Typed, Part, Passage, Style, Trouble, TypedError,
-    ValueTrouble, Values,
+    Amount, Manner, Number as Typed, Part, Passage, Style, Trouble, TypedError, ValueTrouble,
+    Values,
 };
 use crate::unit::{Decimal, DecimalMark, Dimension, Quantity, Unit};
 
@@ -144,10 +144,7 @@ pub(crate) struct Setting<'a> {
 impl Setting<'_> {
     /// That of numbers which are derived from nothing.
     pub(crate) fn of(mark: DecimalMark) -> Self {
-        Self {
-            mark,
-            steps: None,
-        }
+        Self { mark, steps: None }
     }
 
     /// Whether a side is a step in letters without the one that is asked.

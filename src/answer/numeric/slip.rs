@@ -11,70 +11,68 @@ use crate::unit::{Dimension, Unit};
 /// A degree in radians.
 const DEGREE: f64 = TAU / 360.0;
 
-impl Numbers {
-    /// A slip that the numbers alone give away; `unit` is what was typed.
-    pub(crate) fn slip(&self, typed: &[Typed], unit: &Unit) -> Option<Slip> {
-        let is_zero = self.targets.iter().all(|target| target.value == 0.0);
-        let fits = |factor: f64| {
-            let scaled: Vec<Typed> = typed
-                .iter()
-                .map(|typed| *typed * Dd::from(factor))
-                .collect();
-            let found = pair(&self.targets, &scaled, self.modulo, self.is_ordered);
-            !is_zero && typed.len() == self.targets.len() && found == typed.len()
-        };
-        // Of a large number little is left within a turn, and that fits by chance.
-        let fits_within_turn = |factor: f64| {
-            let is_within = |typed: &Typed| {
-                self.modulo
-                    .is_none_or(|period| (typed.hi() * factor).abs() <= period)
-            };
-            typed.iter().all(is_within) && fits(factor)
-        };
-        let counts = self.unit.dimension() == Dimension::TIME.inverse();
-        if counts && (fits(TAU) || fits(1.0 / TAU)) {
-            return Some(Slip::TwoPi(self.two_pi(unit)));
-        }
-        if fits(-1.0) {
-            return Some(Slip::Sign(match self.modulo {
-                None => Negated::Number,
-                Some(_) => Negated::Angle,
-            }));
-        }
-        let is_angle = ["rad", "deg"]
+/// A slip that the numbers alone give away; `unit` is what was typed.
+pub(crate) fn slip(key: &Numbers, typed: &[Typed], unit: &Unit) -> Option<Slip> {
+    let is_zero = key.targets.iter().all(|target| target.value == 0.0);
+    let fits = |factor: f64| {
+        let scaled: Vec<Typed> = typed
             .iter()
-            .any(|angle| self.unit.has_factor(angle));
-        if is_angle && (fits_within_turn(DEGREE) || fits_within_turn(1.0 / DEGREE)) {
-            let shown = if unit.is_one() { self.unit } else { *unit };
-            return Some(Slip::AngleUnit(shown));
-        }
-        let is_percent = self.unit.is_one() && unit.is_one() && fits(0.01);
-        if is_percent {
-            return Some(Slip::PowerOfTen(Decades::Percent));
-        }
-        let fits_ten = |power| fits(powi(10.0, power)) || fits(powi(10.0, -power));
-        if self.modulo.is_none() && (1..=9).any(fits_ten) {
-            return Some(Slip::PowerOfTen(Decades::Prefix));
-        }
-        if let ([target], [typed]) = (&self.targets[..], typed)
-            && target.distance(*typed, self.modulo) <= 3.0 * target.half
-        {
-            return Some(Slip::Near(Close::Rounding));
-        }
-        None
+            .map(|typed| *typed * Dd::from(factor))
+            .collect();
+        let found = pair(&key.targets, &scaled, key.modulo, key.is_ordered);
+        !is_zero && typed.len() == key.targets.len() && found == typed.len()
+    };
+    // Of a large number little is left within a turn, and that fits by chance.
+    let fits_within_turn = |factor: f64| {
+        let is_within = |typed: &Typed| {
+            key.modulo
+                .is_none_or(|period| (typed.hi() * factor).abs() <= period)
+        };
+        typed.iter().all(is_within) && fits(factor)
+    };
+    let counts = key.unit.dimension() == Dimension::TIME.inverse();
+    if counts && (fits(TAU) || fits(1.0 / TAU)) {
+        return Some(Slip::TwoPi(two_pi(&key.unit, unit)));
     }
+    if fits(-1.0) {
+        return Some(Slip::Sign(match key.modulo {
+            None => Negated::Number,
+            Some(_) => Negated::Angle,
+        }));
+    }
+    let is_angle = ["rad", "deg"]
+        .iter()
+        .any(|angle| key.unit.has_factor(angle));
+    if is_angle && (fits_within_turn(DEGREE) || fits_within_turn(1.0 / DEGREE)) {
+        let shown = if unit.is_one() { key.unit } else { *unit };
+        return Some(Slip::AngleUnit(shown));
+    }
+    let is_percent = key.unit.is_one() && unit.is_one() && fits(0.01);
+    if is_percent {
+        return Some(Slip::PowerOfTen(Decades::Percent));
+    }
+    let fits_ten = |power| fits(powi(10.0, power)) || fits(powi(10.0, -power));
+    if key.modulo.is_none() && (1..=9).any(fits_ten) {
+        return Some(Slip::PowerOfTen(Decades::Prefix));
+    }
+    if let ([target], [typed]) = (&key.targets[..], typed)
+        && target.distance(*typed, key.modulo) <= 3.0 * target.half
+    {
+        return Some(Slip::Near(Close::Rounding));
+    }
+    None
+}
 
-    /// Where a factor 2π slipped.
-    fn two_pi(&self, typed: &Unit) -> TwoPi {
-        let is_angular = |unit: &Unit| unit.has_factor("rad");
-        let is_frequency = |unit: &Unit| is_angular(unit) || unit.counts_cycles();
-        if is_frequency(&self.unit) || !is_frequency(typed) {
-            return TwoPi::Number;
-        }
-        TwoPi::Cycles {
-            typed: Box::new(*typed),
-            asked: Box::new(self.unit),
-        }
+/// Where a factor 2π slipped.
+fn two_pi(asked: &Unit, typed: &Unit) -> TwoPi {
+    let is_angular = |unit: &Unit| unit.has_factor("rad");
+    let is_frequency = |unit: &Unit| is_angular(unit) || unit.counts_cycles();
+    if is_frequency(asked) || !is_frequency(typed) {
+        return TwoPi::Number;
+    }
+    TwoPi::Cycles {
+        typed: Box::new(*typed),
+        asked: Box::new(*asked),
     }
 }
 

@@ -367,16 +367,18 @@ impl<'s> ItemReader<'s> {
     }
 
     fn find(&mut self, error: &dyn Diagnose, text: &Text) {
-        let mut finding = Finding::within(error, self.source, text);
-        for label in finding
-            .labels
-            .iter_mut()
-            .filter(|label| label.span.is_none())
-        {
-            label.span = text.span;
-        }
-        self.findings.push(finding);
+        self.findings.push(found_in(text, error, self.source));
     }
+}
+
+/// A finding about a text, which is its place where the error has none.
+fn found_in(text: &Text, error: &dyn Diagnose, source: &Source) -> Finding {
+    let mut finding = Finding::within(error, source, text);
+    let labels = finding.labels.iter_mut();
+    for label in labels.filter(|label| label.span.is_none()) {
+        label.span = text.span;
+    }
+    finding
 }
 
 impl From<unit::Error> for ItemError {

@@ -157,13 +157,15 @@ fn by_name<'s>(
     let Some(own) = table.and_then(|table| table.table(key)) else {
         return Vec::new();
     };
-    let entry = |entry: &'s Entry| {
-        Some((
-            Name::new(entry.key.as_str()),
-            located(reader, &own, &entry.key, &entry.value)?,
-        ))
-    };
-    own.entries().iter().filter_map(entry).collect()
+    own.entries()
+        .iter()
+        .filter_map(|entry| {
+            Some((
+                Name::new(entry.key.as_str()),
+                located(reader, &own, &entry.key, &entry.value)?,
+            ))
+        })
+        .collect()
 }
 
 /// The bodies, each with its moves and the mass or moment of inertia that belongs to each.

@@ -3,14 +3,14 @@
 use std::collections::BTreeSet;
 use std::sync::{Arc, OnceLock};
 
-use super::{ItemError, ItemReader, passages};
+use super::{ItemError, ItemReader, found_in, passages};
 use crate::answer::{self, Answer, Credit, Declare, Known, Naming, Role};
 use crate::bank::Domain;
 #[cfg(feature = "render")]
 use crate::bank::Space;
 use crate::bank::points::share_in_group;
 use crate::bank::template::{Group, Mistake, MistakeAnswer, Part, Units};
-use crate::diagnostic::{Diagnose, Finding};
+use crate::diagnostic::Diagnose;
 use crate::document::Document;
 use crate::expr::{Equation, Expr, Kind, Name};
 use crate::mechanics::{Model, Quantity};
@@ -45,8 +45,9 @@ pub(crate) fn read<'s>(reader: &mut ItemReader<'s>, table: &Table<'s>) -> Vec<Pa
 
 /// Whether no part before has the identity of this one; a finding if one has.
 fn is_new(reader: &mut ItemReader<'_>, part: &Part, span: Span, before: &[Part]) -> bool {
-    let is_taken = |other: &Part| other.id == part.id || other.is_in(&part.id);
-    let is_new = !before.iter().any(is_taken);
+    let is_new = !before
+        .iter()
+        .any(|other| other.id == part.id || other.is_in(&part.id));
     if !is_new {
         part_twice(reader, &part.id, span);
     }
@@ -227,8 +228,9 @@ fn introduce<'s>(reader: &mut ItemReader<'s>, table: &Table<'s>) {
         };
         for text in texts {
             if let Data::Text(text) = &text.data {
-                let is_part = |letter: char| letter.is_ascii_alphanumeric() || letter == '_';
-                let names = text.split(|letter| !is_part(letter)).map(str::to_owned);
+                let names = text
+                    .split(|letter: char| !(letter.is_ascii_alphanumeric() || letter == '_'))
+                    .map(str::to_owned);
                 reader.introduced.extend(names);
             }
         }
@@ -254,11 +256,13 @@ fn listed(reader: &ItemReader<'_>, key: NodeId) -> Vec<NodeId> {
         Some(Kind::Array(entries)) => &entries[..],
         _ => &[],
     };
-    let node = |entry: &Expr| match entry.kind() {
-        Kind::Name(name) => reader.graph.find(name),
-        _ => None,
-    };
-    entries.iter().filter_map(node).collect()
+    entries
+        .iter()
+        .filter_map(|entry| match entry.kind() {
+            Kind::Name(name) => reader.graph.find(name),
+            _ => None,
+        })
+        .collect()
 }
 
 /// A part may bear the name of a quantity only if that is its key.
@@ -294,8 +298,7 @@ fn points<'s>(reader: &mut ItemReader<'s>, table: &Table<'s>) -> Rational {
 #[cfg(feature = "render")]
 fn space<'s>(reader: &mut ItemReader<'s>, table: &Table<'s>) -> Option<Space> {
     let text = table.text("space")?;
-    let space = Space::read(&text.value);
-    space
+    Space::read(&text.value)
         .map_err(|error| reader.find(&ItemError::Space(error), &text))
         .ok()
 }
@@ -445,11 +448,13 @@ impl Declare for ItemReader<'_> {
     }
 
     fn constraints(&self) -> Vec<Expr> {
-        let formula = |node: &NodeId| {
-            let expr = self.graph.expr(*node)?;
-            Some(crate::answer::without_paths(&self.graph, expr))
-        };
-        self.constraints.iter().filter_map(formula).collect()
+        self.constraints
+            .iter()
+            .filter_map(|node| {
+                let expr = self.graph.expr(*node)?;
+                Some(crate::answer::without_paths(&self.graph, expr))
+            })
+            .collect()
     }
 
     fn known(&self) -> Vec<Known> {
@@ -523,14 +528,6 @@ impl Declare for ItemReader<'_> {
     }
 
     fn find(&mut self, error: &dyn Diagnose, text: &Text) {
-        let mut finding = Finding::within(error, self.source, text);
-        for label in finding
-            .labels
-            .iter_mut()
-            .filter(|label| label.span.is_none())
-        {
-            label.span = text.span;
-        }
-        self.findings.push(finding);
+        self.findings.push(found_in(text, error, self.source));
     }
 }

@@ -115,8 +115,7 @@ pub(crate) fn document(reader: &mut ItemReader<'_>, text: &Text) -> Document {
 
 /// What a placeholder stands for.
 fn target(reader: &mut ItemReader<'_>, place: &Placeholder, text: &Text) -> Target {
-    let mut names = place.names();
-    let first = names.next().unwrap_or_default();
+    let first = place.names().next().unwrap_or_default();
     match (first, place.path.as_str()) {
         (_, "figure") if reader.has_figure => Target::Figure,
         (_, "figure.free") if reader.has_free => Target::Free,

@@ -212,8 +212,9 @@ fn real(reader: &mut ItemReader<'_>, node: NodeId, text: &Text) -> Option<()> {
 }
 
 pub(crate) fn dimension_of(reader: &ItemReader<'_>, nodes: &[NodeId]) -> Option<Dimension> {
-    let dimension = |node: &NodeId| reader.graph.kind(*node).and_then(Type::dimension);
-    nodes.iter().find_map(dimension)
+    nodes
+        .iter()
+        .find_map(|node| reader.graph.kind(*node).and_then(Type::dimension))
 }
 
 /// The unit in which a name is declared, if it has this dimension; else the coherent unit.
@@ -380,15 +381,11 @@ fn ordinate_unit(
     written: Option<(Unit, Text)>,
     variable: &Variable,
 ) -> Option<Unit> {
-    let dimension = |reader: &ItemReader<'_>, curve: &Curve| {
-        let kind = reader.graph.kind(curve.y)?;
-        kind.entries().flatten().next()
-    };
     let unit = match &written {
         Some((unit, _)) => *unit,
         None => {
             let (first, text) = curves.first()?;
-            let found = dimension(reader, first);
+            let found = dimension_of_curve(reader, first);
             let name = Name::new(text.value.trim());
             let is_variable = name == variable.name;
             if is_variable {
@@ -399,10 +396,15 @@ fn ordinate_unit(
         }
     };
     for (curve, text) in curves {
-        let found = dimension(reader, curve);
+        let found = dimension_of_curve(reader, curve);
         hold(reader, &unit, found, text);
     }
     Some(unit)
+}
+
+/// The dimension of the values of a curve.
+fn dimension_of_curve(reader: &ItemReader<'_>, curve: &Curve) -> Option<Dimension> {
+    reader.graph.kind(curve.y)?.entries().flatten().next()
 }
 
 fn ordinate<'s>(

@@ -311,8 +311,7 @@ impl Places {
             }
         };
         let stated = |heading: &str| {
-            let missing = || HeadingError::Missing(heading.to_owned());
-            place(heading)?.ok_or_else(missing)
+            place(heading)?.ok_or_else(|| HeadingError::Missing(heading.to_owned()))
         };
         let known = |role: ColumnRole| -> Result<Option<usize>, HeadingError> {
             let words = WORDS.iter().find(|(own, _)| *own == role);
@@ -365,11 +364,12 @@ impl Places {
 
     /// The student of a row; columns that mean nothing here are kept under their headings.
     pub(crate) fn student(&self, headings: &[String], row: &TableRow<'_>) -> Student {
-        let is_used = |at: usize| self.given.iter().any(|(_, places)| places.contains(&at));
         let mut columns: BTreeMap<String, String> = headings
             .iter()
             .enumerate()
-            .filter(|(at, heading)| !is_used(*at) && !heading.is_empty())
+            .filter(|(at, heading)| {
+                !self.given.iter().any(|(_, places)| places.contains(at)) && !heading.is_empty()
+            })
             .map(|(at, heading)| (heading.to_lowercase(), visible(row.cell(at))))
             .collect();
         for (what, places) in &self.given {
@@ -396,10 +396,9 @@ impl Places {
 /// A cell as it is seen: marks of direction and byte order, which would reverse what comes after a name, are dropped, those
 /// that join letters of some scripts are kept.
 fn visible(cell: &str) -> String {
-    let joins = |char| matches!(char, '\u{200c}' | '\u{200d}' | '\u{fe0e}' | '\u{fe0f}');
-    let seen = cell
-        .chars()
-        .filter(|char| joins(*char) || !is_invisible(*char));
+    let seen = cell.chars().filter(|char| {
+        matches!(*char, '\u{200c}' | '\u{200d}' | '\u{fe0e}' | '\u{fe0f}') || !is_invisible(*char)
+    });
     let seen: String = seen
         .map(|char| if char.is_control() { ' ' } else { char })
         .collect();

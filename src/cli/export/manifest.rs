@@ -47,8 +47,9 @@ impl Record {
             .entry(template.id.to_string())
             .or_insert_with(|| template.source.text.to_string());
         let mut entry = record::entry(sheet);
-        let own = |entry: &vibank::worksheet::QuestionEntry| entry.number == question.number;
-        entry.questions.retain(own);
+        entry
+            .questions
+            .retain(|entry| entry.number == question.number);
         for entry in &mut entry.questions {
             entry.number = number;
         }

@@ -11,7 +11,7 @@ use vibank::document::Formulas;
 use vibank::export::{Canvas, Export, Moodle, Qti, Version, Wish};
 use vibank::message::{Language, Phrase};
 use vibank::source::Source;
-use vibank::worksheet::{Audience, Blueprint, Choice, Chooser, Plan, Sheet, SheetError};
+use vibank::worksheet::{Audience, Blueprint, Choice, Chooser, Plan, Sheet};
 
 use self::manifest::Record;
 use super::bank::{self, BankArgument};
@@ -262,12 +262,11 @@ fn count(arguments: &Arguments, stated: usize) -> usize {
 
 /// The sheets of a plan.
 fn sheets<'c>(plan: &Plan<'c>, count: usize) -> Result<Vec<Sheet<'c>>, Failure> {
-    let refuse = |error: SheetError| Failure::new(error.to_string());
     let mut chooser = Chooser::new(plan, &[], std::collections::BTreeMap::new());
     for index in 0..count as u64 {
         let mut from = 0;
         loop {
-            let candidate = chooser.propose(index, from).map_err(refuse)?;
+            let candidate = chooser.propose(index, from).map_err(Failure::of)?;
             if chooser.take(&candidate) {
                 break;
             }
@@ -275,8 +274,10 @@ fn sheets<'c>(plan: &Plan<'c>, count: usize) -> Result<Vec<Sheet<'c>>, Failure> 
         }
     }
     let variants: Vec<_> = chooser.taken().collect();
-    let draw = |variant| Sheet::draw(plan, variant, None).map_err(refuse);
-    variants.into_iter().map(draw).collect()
+    variants
+        .into_iter()
+        .map(|variant| Sheet::draw(plan, variant, None).map_err(Failure::of))
+        .collect()
 }
 
 fn report(export: &dyn Export, out: &Path, has_essays: bool) {

@@ -8,7 +8,7 @@ use std::collections::BTreeSet;
 use std::fs::File;
 use std::path::PathBuf;
 
-use vibank::worksheet::Manifest;
+use vibank::worksheet::{Manifest, VariantEntry};
 
 use self::trace::Person;
 use super::folder::Folder;
@@ -80,12 +80,18 @@ struct Task {
     form: Option<(String, String)>,
 }
 
+/// The sheets of some manifests.
+pub(crate) fn entries(manifests: &[(String, Manifest)]) -> impl Iterator<Item = &VariantEntry> {
+    manifests
+        .iter()
+        .flat_map(|(_, manifest)| &manifest.variants)
+}
+
 /// The manifests of a folder, those of earlier runs among them, by their names.
 fn manifests(out: &Folder) -> Result<Vec<(String, Manifest)>, Failure> {
-    let is_manifest = |name: &String| {
+    let own = out.names("").into_iter().filter(|name| {
         name == "manifest.json" || name.starts_with("manifest-") && name.ends_with(".json")
-    };
-    let own = out.names("").into_iter().filter(is_manifest);
+    });
     let earlier = out.names(MANIFESTS).into_iter();
     let earlier = earlier.filter(|name| name.ends_with(".json"));
     own.chain(earlier.map(|name| format!("{MANIFESTS}/{name}")))

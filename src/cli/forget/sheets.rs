@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 
 use vibank::worksheet::Manifest;
 
-use super::{Task, runs};
+use super::{Task, entries, runs};
 use crate::cli::folder::{Folder, is_plain};
 use crate::cli::sheet::MANIFESTS;
 use crate::cli::{Failure, files, form, record};
@@ -15,12 +15,8 @@ pub(crate) fn remove(
     out: &Folder,
     manifests: Vec<(String, Manifest)>,
 ) -> Result<(), Failure> {
-    let all = || {
-        manifests
-            .iter()
-            .flat_map(|(_, manifest)| &manifest.variants)
-    };
-    let (own, others): (Vec<_>, Vec<_>) = all().partition(|entry| task.person.has(entry));
+    let (own, others): (Vec<_>, Vec<_>) =
+        entries(&manifests).partition(|entry| task.person.has(entry));
     // Figures belong to all who have the same one.
     let shared = others.iter().flat_map(|entry| entry.files.keys());
     let shared: BTreeSet<&String> = shared.collect();
@@ -30,7 +26,7 @@ pub(crate) fn remove(
         .filter(|file| is_plain(file) && !shared.contains(file))
         .cloned()
         .collect();
-    let codes = all().filter(|entry| task.person.has(entry));
+    let codes = entries(&manifests).filter(|entry| task.person.has(entry));
     let pages = codes.flat_map(|entry| {
         [form::PAGES, form::SCREEN].map(|folder| format!("{folder}{}.html", entry.code))
     });

@@ -4,6 +4,7 @@ use std::collections::BTreeSet;
 
 use vibank::worksheet::{Manifest, VariantEntry};
 
+use super::entries;
 use crate::cli::files;
 use crate::cli::folder::Folder;
 use crate::cli::table::composed;
@@ -26,17 +27,12 @@ fn id_of(entry: &VariantEntry) -> Option<String> {
 impl Person {
     /// A student by `id` or by the code of a sheet.
     pub(crate) fn find(manifests: &[(String, Manifest)], wanted: &str) -> Option<Self> {
-        let entries = || {
-            manifests
-                .iter()
-                .flat_map(|(_, manifest)| &manifest.variants)
-        };
         let code = wanted.trim().to_uppercase();
         let typed = composed(wanted.to_owned());
-        let id = if entries().any(|entry| id_of(entry).as_ref() == Some(&typed)) {
+        let id = if entries(manifests).any(|entry| id_of(entry).as_ref() == Some(&typed)) {
             Some(typed)
         } else {
-            let found = entries().find(|entry| entry.code == code)?;
+            let found = entries(manifests).find(|entry| entry.code == code)?;
             id_of(found)
         };
         let mut person = Self {
@@ -44,7 +40,8 @@ impl Person {
             id,
             names: BTreeSet::new(),
         };
-        let (own, others): (Vec<_>, Vec<_>) = entries().partition(|entry| person.has(entry));
+        let (own, others): (Vec<_>, Vec<_>) =
+            entries(manifests).partition(|entry| person.has(entry));
         let names = own
             .iter()
             .filter_map(|entry| entry.student.as_ref()?.get("name"));
@@ -127,10 +124,10 @@ impl Person {
 
 /// Whether a word is in a text with no letter or digit beside it, and not in the base 64 of a font.
 fn has_word(text: &str, word: &str) -> bool {
-    let is_inner = |sign: char| sign.is_alphanumeric() || "+/=".contains(sign);
-    let is_free = |sign: Option<char>| !sign.is_some_and(is_inner);
-    let mut found = text.match_indices(word);
-    found.any(|(at, word)| {
+    let is_free = |sign: Option<char>| {
+        !sign.is_some_and(|sign| sign.is_alphanumeric() || "+/=".contains(sign))
+    };
+    text.match_indices(word).any(|(at, word)| {
         is_free(text[..at].chars().next_back()) && is_free(text[at + word.len()..].chars().next())
     })
 }

@@ -163,21 +163,17 @@ impl Analysis {
             marks: findings.marks,
             decided: findings.decided,
         };
-        let page = report_page(&layout.pages, &analysed)
-            .map_err(|error| Failure::new(error.to_string()))?;
+        let page = report_page(&layout.pages, &analysed).map_err(Failure::of)?;
         let begin = layout
             .pages
             .begin(layout.pages.report_subtitle())
-            .map_err(|error| Failure::new(error.to_string()))?;
+            .map_err(Failure::of)?;
         let whole = format!("{begin}{page}{}", layout.end);
         out.write("report.html", whole.as_bytes()).map(drop)
     }
 }
 
 fn row(part: &PartSummary, dialect: Dialect) -> [String; 16] {
-    let share = |share: Option<f64>| {
-        share.map_or_else(String::new, |share| dialect.number(&format!("{share:.3}")))
-    };
     let mistake = part.mistakes.first();
     [
         part.places.join(" "),
@@ -191,8 +187,8 @@ fn row(part: &PartSummary, dialect: Dialect) -> [String; 16] {
         part.unreadable.to_string(),
         part.missing.to_string(),
         part.follow_through.to_string(),
-        share(part.facility),
-        share(part.discrimination),
+        dialect.share(part.facility),
+        dialect.share(part.discrimination),
         mistake.map_or_else(String::new, |mistake| mistake.what.clone()),
         mistake.map_or_else(String::new, |mistake| mistake.count.to_string()),
         part.others.first().map_or_else(String::new, |other| {

@@ -41,9 +41,10 @@ impl<'a> Answered<'a> {
 
     /// Whether nobody has said yet what was answered.
     pub(crate) fn is_undecided(&self) -> bool {
-        let is_settled =
-            |decision: &Decision| decision.response().is_some() || decision.points().is_some();
-        self.is_open && !self.ruling.settled.is_some_and(is_settled)
+        self.is_open
+            && !self.ruling.settled.is_some_and(|decision| {
+                decision.response().is_some() || decision.points().is_some()
+            })
     }
 
     /// Whether somebody has typed an answer to it, or looked at it on this sheet.
@@ -68,8 +69,7 @@ pub(crate) fn parts<'q>(
     template: &Template,
 ) -> Result<Vec<Answered<'q>>, Failure> {
     let place = |entry: &PartEntry| {
-        let found = template.place(&entry.id);
-        found.ok_or_else(|| {
+        template.place(&entry.id).ok_or_else(|| {
             let id = &entry.id;
             Failure::new(format!("`{}` has no part `{id}` any more", template.id))
         })
@@ -79,8 +79,7 @@ pub(crate) fn parts<'q>(
         .iter()
         .map(place)
         .collect::<Result<Vec<_>, _>>()?;
-    let parts = question.parts.iter().zip(places);
-    let answered = parts.map(|(entry, place)| {
+    let answered = question.parts.iter().zip(places).map(|(entry, place)| {
         let at = Place {
             code: code.to_owned(),
             question: question.number,

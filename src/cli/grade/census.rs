@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use vibank::bank::{Catalogue, ItemId, Revision};
 use vibank::report::order;
-use vibank::worksheet::{HandedOut, QuestionEntry, Student, VariantEntry};
+use vibank::worksheet::{HandedOut, QuestionEntry, Student};
 
 use super::items::Items;
 use super::manifest::Sheets;
@@ -58,14 +58,13 @@ impl<'c> Census<'c> {
             if chunk.is_empty() {
                 break;
             }
-            let sheet = |variant: &VariantEntry| {
+            census.sheets.extend(chunk.iter().map(|variant| {
                 let parts = variant
                     .questions
                     .iter()
                     .map(|question| question.parts.len());
                 (variant.code.clone(), parts.sum())
-            };
-            census.sheets.extend(chunk.iter().map(sheet));
+            }));
             for variant in &chunk {
                 if !census.handed_out.codes.insert(variant.code.clone()) {
                     let code = &variant.code;
@@ -74,13 +73,12 @@ impl<'c> Census<'c> {
                 }
             }
             for student in chunk.iter().filter_map(|variant| variant.student.as_ref()) {
-                let column = |name: &str| student.get(name).cloned().unwrap_or_default();
                 if census.known_by.len() < student.len() {
                     census.known_by.extend(student.keys().cloned());
                 }
                 census.students.push(Student {
-                    id: column("id"),
-                    name: column("name"),
+                    id: student.get("id").cloned().unwrap_or_default(),
+                    name: student.get("name").cloned().unwrap_or_default(),
                     ..Student::default()
                 });
             }
@@ -115,12 +113,11 @@ impl<'c> Census<'c> {
     /// Notes what decisions may name of a question.
     fn note(&mut self, question: &QuestionEntry) {
         let item = question.item.to_string();
-        let asked = self
-            .handed_out
+        self.handed_out
             .questions
             .entry(question.number)
-            .or_default();
-        asked.insert(item.clone());
+            .or_default()
+            .insert(item.clone());
         let parts = question.parts.iter();
         let parts = parts.map(|part| (part.id.clone(), part.letter.clone()));
         let together = self.handed_out.parts.entry(item).or_default();

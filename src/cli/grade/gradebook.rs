@@ -137,14 +137,13 @@ impl Gradebook {
                     None => continue,
                 },
                 GradebookPlatform::Canvas => {
-                    let under = |own: &str| {
+                    let [id, user, login] = ["ID", "SIS User ID", "SIS Login ID"].map(|own| {
                         if own == heading && row.id != row.canvas {
                             row.id.as_str()
                         } else {
                             ""
                         }
-                    };
-                    let [id, user, login] = ["ID", "SIS User ID", "SIS Login ID"].map(under);
+                    });
                     let id = if row.canvas.is_empty() {
                         id
                     } else {

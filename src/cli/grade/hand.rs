@@ -72,21 +72,20 @@ impl<'a> PartRubric<'a> {
 
     /// What a student is told: the rows of the rubric with the points that were given.
     pub(crate) fn told(&self, hand: &Hand, language: Language) -> Vec<Comment> {
-        let row = |at: usize| {
-            let given = hand.rows.as_ref().map(|rows| self.written(rows[at]));
-            let most = self.written(self.shares[at]);
-            let points = language.by_hand(&ByHand::Row { given, most });
-            let mut content = vec![Inline::Text(points)];
-            for block in self.rubric[at].text.blocks() {
-                if let Block::Paragraph(inlines) = block {
-                    content.extend(inlines.iter().cloned());
-                }
-            }
-            Comment::from(Document::of(vec![Block::Paragraph(content)], Vec::new()))
-        };
         let first = Comment::sentence(&language.by_hand(&ByHand::Marked));
         std::iter::once(first)
-            .chain((0..self.shares.len()).map(row))
+            .chain((0..self.shares.len()).map(|at| {
+                let given = hand.rows.as_ref().map(|rows| self.written(rows[at]));
+                let most = self.written(self.shares[at]);
+                let points = language.by_hand(&ByHand::Row { given, most });
+                let mut content = vec![Inline::Text(points)];
+                for block in self.rubric[at].text.blocks() {
+                    if let Block::Paragraph(inlines) = block {
+                        content.extend(inlines.iter().cloned());
+                    }
+                }
+                Comment::from(Document::of(vec![Block::Paragraph(content)], Vec::new()))
+            }))
             .collect()
     }
 

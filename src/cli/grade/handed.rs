@@ -15,7 +15,7 @@ use super::decisions::{Corrected, Decisions};
 use super::items::Items;
 use super::manifest::{Sheets, manifest};
 use super::marking::Marker;
-use crate::cli::platform::{self, KnownQuestions, Report, TakenAttempt, Which};
+use crate::cli::platform::{self, KnownQuestions, Report, Which};
 use crate::cli::shard::Shard;
 use crate::cli::{Failure, counted, files, package, responses};
 
@@ -111,10 +111,9 @@ impl Handed {
                 decisions,
                 takes_points: false,
             };
-            let points = |taken: &TakenAttempt| Ok(marker.sheet(&taken.entry)?.0.points());
             attempts
                 .par_iter()
-                .map(points)
+                .map(|taken| Ok(marker.sheet(&taken.entry)?.0.points()))
                 .collect::<Result<Vec<_>, Failure>>()?
         } else {
             Vec::new()
@@ -149,10 +148,12 @@ impl Handed {
         /// What it costs to mark an answer, where a part that nobody answered costs one: on 1000 sheets of 50 parts an
         /// answer took 2.8 times as long as the rest of its part.
         const ANSWER: usize = 3;
-        let cost = |(code, parts): &(String, usize)| {
-            (1 + parts + ANSWER * self.responses.answers(code)) as u64
-        };
-        shard.share_of(&sheets.iter().map(cost).collect::<Vec<_>>())
+        shard.share_of(
+            &sheets
+                .iter()
+                .map(|(code, parts)| (1 + parts + ANSWER * self.responses.answers(code)) as u64)
+                .collect::<Vec<_>>(),
+        )
     }
 
     /// The sheets that are marked.

@@ -22,18 +22,20 @@ impl<'c> Items<'c> {
         bank: &'c Catalogue,
         prefers_bank: bool,
     ) -> Self {
-        let catalogue = |items: &BTreeMap<String, String>| {
-            let paths: Vec<(String, &String)> = items
-                .iter()
-                .map(|(id, text)| (format!("{id}.toml"), text))
-                .collect();
-            let files = paths
-                .iter()
-                .map(|(path, text)| (path.as_str(), text.as_str()));
-            Catalogue::of_items(files)
-        };
         Self {
-            kept: kept.iter().map(catalogue).collect(),
+            kept: kept
+                .iter()
+                .map(|items| {
+                    let paths: Vec<(String, &String)> = items
+                        .iter()
+                        .map(|(id, text)| (format!("{id}.toml"), text))
+                        .collect();
+                    let files = paths
+                        .iter()
+                        .map(|(path, text)| (path.as_str(), text.as_str()));
+                    Catalogue::of_items(files)
+                })
+                .collect(),
             bank,
             prefers_bank,
         }
@@ -72,7 +74,6 @@ impl<'c> Items<'c> {
     /// Whether the bank has another text of an item; questions of a blueprint's own it never had.
     pub(crate) fn has_moved_on(&self, id: &ItemId, revision: Revision) -> bool {
         let bank = self.bank.find(id.as_str());
-        let is_other = |own: &Template| own.revision != revision;
-        bank.map_or(!id.is_own(), is_other)
+        bank.map_or(!id.is_own(), |own| own.revision != revision)
     }
 }

@@ -24,7 +24,6 @@ pub(crate) struct Layout {
 impl Layout {
     /// How pages are written in a format, for these students.
     pub(crate) fn of(sheets: &Sheets, format: &str, students: &[Student]) -> Result<Self, Failure> {
-        let fail = |error: output::OutputError| Failure::new(error.to_string());
         let writer = output::writer(format).ok_or_else(|| Failure::unknown_format(format, &[]))?;
         let head = &sheets.head;
         let faces = if writer.is_bound() {
@@ -38,15 +37,17 @@ impl Layout {
         let run = Run::plain(&head.title, &head.language, head.decimal)
             .with_paper(head.paper)
             .with_names(faces.names);
-        let pages = Pages::new(writer, run, &[]).map_err(fail)?;
+        let pages = Pages::new(writer, run, &[]).map_err(Failure::of)?;
         let (press, missing) = match writer.is_bound().then(Press::find) {
             Some(Ok(press)) => (Some(press), None),
             Some(Err(missing)) => (None, Some(missing)),
             None => (None, None),
         };
         Ok(Self {
-            begin: pages.begin(pages.feedback_subtitle()).map_err(fail)?,
-            end: pages.end().map_err(fail)?,
+            begin: pages
+                .begin(pages.feedback_subtitle())
+                .map_err(Failure::of)?,
+            end: pages.end().map_err(Failure::of)?,
             fonts: faces.paths,
             press,
             missing,
@@ -57,7 +58,7 @@ impl Layout {
     /// The file with the feedback on a sheet, or why it could not be printed.
     pub(crate) fn file(&self, feedback: &Feedback) -> Result<Printed, Failure> {
         let page = output::feedback_page(&self.pages, feedback);
-        let page = page.map_err(|error| Failure::new(error.to_string()))?;
+        let page = page.map_err(Failure::of)?;
         let text = format!("{}{page}{}", self.begin, self.end);
         Ok(match &self.press {
             Some(press) => press.page(text, &self.fonts),

@@ -247,8 +247,8 @@ pub(crate) fn solution_of<'i>(
         .map(|(name, value)| (name.as_str(), value.as_str()))
         .filter(|(name, _)| template.parameter(name).is_some())
         .collect();
-    let instance = Instance::of(template, Some(Seed::new(question.seed)), &known)
-        .map_err(|error| Failure::new(error.to_string()))?;
+    let instance =
+        Instance::of(template, Some(Seed::new(question.seed)), &known).map_err(Failure::of)?;
     let mark = if decimal == ',' {
         DecimalMark::Comma
     } else {

@@ -217,8 +217,7 @@ fn rescale(marked: &mut [MarkedPart], answered: &[Answered<'_>]) {
         sum(parts.map(|part| part.max))
     };
     let shared = of(Void::Rescaled);
-    let all = sum(answered.iter().map(|part| part.max));
-    let kept = all
+    let kept = sum(answered.iter().map(|part| part.max))
         .checked_sub(of(Void::LeftOut))
         .and_then(|kept| Some((kept, kept.checked_sub(shared)?)));
     let factor = kept.and_then(|(kept, rest)| kept.checked_div(rest));

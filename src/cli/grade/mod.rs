@@ -152,10 +152,13 @@ pub(crate) fn run(arguments: &Arguments) -> Result<super::Outcome, Failure> {
     // of them.
     let open = || handed.sheets(&arguments.manifest);
     let census = Census::take(&mut open()?, &catalogue, arguments.accept_revisions)?;
-    let book = |own| Gradebook::new(own, &arguments.gradebook_id, &census.known_by);
-    let gradebook = arguments.gradebook.map(book).transpose()?;
-    let is_known = |code: &str| census.handed_out.codes.contains(code);
-    faults.extend(Saved::foreign(&names, is_known));
+    let gradebook = arguments
+        .gradebook
+        .map(|own| Gradebook::new(own, &arguments.gradebook_id, &census.known_by))
+        .transpose()?;
+    faults.extend(Saved::foreign(&names, |code| {
+        census.handed_out.codes.contains(code)
+    }));
     decisions.check(&census.handed_out.questions)?;
     if let Some(stated) = &stated {
         let repeated = decisions::file::add(&mut decisions, stated, &census.handed_out)?;
@@ -176,23 +179,25 @@ pub(crate) fn run(arguments: &Arguments) -> Result<super::Outcome, Failure> {
     let journal = Journal::open(&out, shard, &input)?;
     let parts = shard.is_whole().then(|| Parts::in_folder(&out, &input));
     let share = handed.share(shard, &census.sheets);
-    let tables = || {
-        Tables::begin(
-            &out,
-            census.columns,
-            census.has_hand,
-            marks.clone(),
-            dialect,
-            has_book,
-        )
-    };
     let mut job = GradeJob {
         journal,
         parts: parts.transpose()?.flatten(),
         share,
         pages: Layout::of(&sheets, "html", &[])?,
         feedback: Layout::of(&sheets, &arguments.feedback, &census.students)?,
-        tables: shard.is_whole().then(tables).transpose()?,
+        tables: shard
+            .is_whole()
+            .then(|| {
+                Tables::begin(
+                    &out,
+                    census.columns,
+                    census.has_hand,
+                    marks.clone(),
+                    dialect,
+                    has_book,
+                )
+            })
+            .transpose()?,
         class: Class::new(marks.clone()),
         log: Log::default(),
         dialect,

@@ -83,10 +83,10 @@ impl SheetOutcome {
 
     /// Whether it is a spare sheet that nobody seems to have got.
     pub(crate) fn is_unused(&self) -> bool {
-        let is_untouched = |part: &PartOutcome| {
-            part.response.is_empty() && part.points.0.is_zero() && part.decisions.is_empty()
-        };
-        self.spare && self.parts.iter().all(is_untouched)
+        self.spare
+            && self.parts.iter().all(|part| {
+                part.response.is_empty() && part.points.0.is_zero() && part.decisions.is_empty()
+            })
     }
 
     /// The points that are decided.

@@ -11,9 +11,9 @@ use serde::{Deserialize, Serialize};
 use vibank::worksheet::VariantEntry;
 
 use super::outcome::SheetOutcome;
-use crate::cli::Failure;
 use crate::cli::folder::Folder;
 use crate::cli::shard::Shard;
+use crate::cli::{Failure, files};
 
 /// How the name of a part begins, and how it ends.
 const NAME: (&str, &str) = ("marked", "jsonl");
@@ -104,17 +104,19 @@ impl Parts {
 
     /// What came out for these sheets, which are the next ones.
     pub(crate) fn take(&mut self, sheets: &[VariantEntry]) -> Result<Vec<SheetOutcome>, Failure> {
-        let outcome = |sheet: &VariantEntry| match self.next()? {
-            Some(outcome) if outcome.code == sheet.code => Ok(outcome),
-            found => {
-                let found = found.map_or_else(|| "nothing".to_owned(), |found| found.code);
-                Err(self.broken(&format!(
-                    "has {found} where the sheet {} is due",
-                    sheet.code
-                )))
-            }
-        };
-        sheets.iter().map(outcome).collect()
+        sheets
+            .iter()
+            .map(|sheet| match self.next()? {
+                Some(outcome) if outcome.code == sheet.code => Ok(outcome),
+                found => {
+                    let found = found.map_or_else(|| "nothing".to_owned(), |found| found.code);
+                    Err(self.broken(&format!(
+                        "has {found} where the sheet {} is due",
+                        sheet.code
+                    )))
+                }
+            })
+            .collect()
     }
 
     /// All sheets are taken: nothing may be left.
@@ -182,9 +184,6 @@ fn open(folder: &Folder, shard: Shard) -> Result<(BufReader<File>, String), Fail
     let mut file = BufReader::new(folder.open(&name(shard))?);
     let mut input = String::new();
     let read = file.read_line(&mut input);
-    read.map_err(|error| {
-        let path = folder.root().join(name(shard));
-        Failure::new(format!("cannot read `{}`: {error}", path.display()))
-    })?;
+    read.map_err(files::unreadable(&folder.root().join(name(shard))))?;
     Ok((file, input.trim_end().to_owned()))
 }

@@ -208,18 +208,6 @@ impl WrittenFiles<'_> {
 
 /// What needs a teacher's eye, on standard error.
 pub(crate) fn told(analysis: &Analysis, lost: &[Lost], faults: &[String]) {
-    let list = |title: &str, lines: &mut dyn Iterator<Item = String>, count: usize| {
-        // About what a screen shows at once; the tables have all of them.
-        const MAX_COUNT: usize = 40;
-        if count == 0 {
-            return;
-        }
-        eprintln!("{title}");
-        lines.take(MAX_COUNT).for_each(|line| eprintln!("  {line}"));
-        if count > MAX_COUNT {
-            eprintln!("  and {} more", count - MAX_COUNT);
-        }
-    };
     let unreadable = analysis.count(Verdict::Unreadable) - analysis.open();
     let are = |count: u64| if count == 1 { "is" } else { "are" };
     let title = format!(
@@ -227,7 +215,7 @@ pub(crate) fn told(analysis: &Analysis, lost: &[Lost], faults: &[String]) {
         are(unreadable)
     );
     let of = |by_hand: bool| lost.iter().filter(move |lost| lost.by_hand == by_hand);
-    list(&title, &mut of(false).map(line_of), of(false).count());
+    listed(&title, &mut of(false).map(line_of), of(false).count());
     let open = analysis.open();
     let wrong = || of(true).filter(|lost| !lost.response.is_empty());
     if open > 0 {
@@ -237,16 +225,30 @@ pub(crate) fn told(analysis: &Analysis, lost: &[Lost], faults: &[String]) {
             are(open)
         );
     }
-    list(
+    listed(
         "points that could not be read:",
         &mut wrong().map(|lost| lost.why.clone()),
         wrong().count(),
     );
-    list(
+    listed(
         "rows to look at:",
         &mut faults.iter().cloned(),
         faults.len(),
     );
+}
+
+/// Lines under a title, as many as a screen shows.
+fn listed(title: &str, lines: &mut dyn Iterator<Item = String>, count: usize) {
+    // About what a screen shows at once; the tables have all of them.
+    const MAX_COUNT: usize = 40;
+    if count == 0 {
+        return;
+    }
+    eprintln!("{title}");
+    lines.take(MAX_COUNT).for_each(|line| eprintln!("  {line}"));
+    if count > MAX_COUNT {
+        eprintln!("  and {} more", count - MAX_COUNT);
+    }
 }
 
 /// Answers that are alike, in a line.

@@ -93,21 +93,18 @@ impl Class {
             ..marked.summary.all.clone()
         };
         for group in std::iter::once(&all).chain(&marked.summary.groups) {
-            let number = |value: Option<f64>| {
-                value.map_or_else(String::new, |own| dialect.number(&format!("{own:.3}")))
-            };
             let row = [
                 group.group.clone(),
                 group.sheets.to_string(),
                 group.undecided.to_string(),
-                number(group.mean),
-                number(group.median),
-                number(group.deviation),
-                number(group.lowest),
-                number(group.highest),
+                dialect.share(group.mean),
+                dialect.share(group.median),
+                dialect.share(group.deviation),
+                dialect.share(group.lowest),
+                dialect.share(group.highest),
                 group.passed.to_string(),
                 group.failed.to_string(),
-                number(group.pass_rate),
+                dialect.share(group.pass_rate),
             ];
             table.extend(dialect.line(&row.each_ref().map(String::as_str))?);
         }

@@ -118,7 +118,6 @@ impl Tables {
         if is_absent {
             return self.absent_row(sheet, dialect);
         }
-        let points = |points| dialect.number(&grade::rounded(points));
         let cell = |(question, letter): &Column| {
             if letter.is_empty() {
                 let standing = sheet.question(*question);
@@ -135,9 +134,9 @@ impl Tables {
         let own = ["id", "name", "group"].map(|name| sheet.column(name).to_owned());
         let sums = [
             standing,
-            points(sheet.max()),
+            dialect.number(&grade::rounded(sheet.max())),
             undecided.to_string(),
-            points(open),
+            dialect.number(&grade::rounded(open)),
         ];
         let row = std::iter::once(sheet.code.clone()).chain(own).chain(sums);
         let apart = [false, true].into_iter().filter(|_| self.has_hand);
@@ -169,11 +168,10 @@ impl Tables {
             return Vec::new();
         }
         let total = sheet.total.total();
-        let percent = |points| {
+        let [least, open] = [total.points, total.open].map(|points| {
             let share = self.rules.share(points, total.max)?;
             share.checked_mul(Rational::from(100))
-        };
-        let [least, open] = [total.points, total.open].map(percent);
+        });
         let percent = least.zip(open);
         let percent =
             percent.map_or_else(String::new, |(least, open)| grade::standing(least, open));
@@ -240,7 +238,6 @@ impl Tables {
     }
 
     fn result(&mut self, sheet: &SheetOutcome, part: &PartOutcome) -> Result<(), Failure> {
-        let settled = |number: f64| (!part.is_undecided()).then_some(number);
         let entry = ResultEntry {
             code: &sheet.code,
             student: sheet.column("id"),
@@ -251,8 +248,8 @@ impl Tables {
             response: &part.response,
             reading: Some(&*part.reading).filter(|reading| !reading.is_empty()),
             verdict: part.verdict,
-            credit: settled(part.credit.0.to_f64()),
-            points: settled(part.points.0.to_f64()),
+            credit: (!part.is_undecided()).then_some(part.credit.0.to_f64()),
+            points: (!part.is_undecided()).then_some(part.points.0.to_f64()),
             max: part.max.0.to_f64(),
             reasons: &part.reasons,
             feedback: &part.feedback,
@@ -318,10 +315,9 @@ fn is_worth(rules: &Marks) -> bool {
 
 /// The points of a part; with a question mark those that are not decided.
 fn part_points(part: &PartOutcome, dialect: Dialect) -> String {
-    let points = |points| dialect.number(&grade::rounded(points));
     if part.is_undecided() {
-        format!("?{}", points(part.max.0))
+        format!("?{}", dialect.number(&grade::rounded(part.max.0)))
     } else {
-        points(part.points.0)
+        dialect.number(&grade::rounded(part.points.0))
     }
 }

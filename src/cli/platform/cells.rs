@@ -25,8 +25,7 @@ pub(crate) fn decoded(text: &str) -> String {
 
 fn entity(name: &str) -> Option<char> {
     let number = name.strip_prefix('#').and_then(|number| {
-        let hexadecimal = number.strip_prefix(['x', 'X']);
-        hexadecimal.map_or_else(
+        number.strip_prefix(['x', 'X']).map_or_else(
             || number.parse().ok(),
             |digits| u32::from_str_radix(digits, 16).ok(),
         )

@@ -16,7 +16,7 @@ use std::ops::Range;
 use std::path::Path;
 
 pub(crate) use self::attempts::Which;
-pub(crate) use self::sheets::{KnownQuestions, TakenAttempt, responses, taken};
+pub(crate) use self::sheets::{KnownQuestions, responses, taken};
 
 use self::cells::decoded;
 use self::moment::{Moment, moment};
@@ -89,9 +89,10 @@ impl Report {
             .collect();
         let mut foreign = BTreeSet::new();
         let (name, layout, first) = if let Some(first) = canvas.first() {
-            let asked =
-                |at: &usize| Some((*at, QuestionOrigin::read(&decoded(&table.headings[*at]))?));
-            let found: Vec<(usize, QuestionOrigin)> = canvas.iter().filter_map(asked).collect();
+            let found: Vec<(usize, QuestionOrigin)> = canvas
+                .iter()
+                .filter_map(|at| Some((*at, QuestionOrigin::read(&decoded(&table.headings[*at]))?)))
+                .collect();
             let others = canvas
                 .iter()
                 .filter(|at| found.iter().all(|(own, _)| own != *at));
@@ -123,8 +124,7 @@ impl Report {
         };
         let who = Who::of(path, table, first)?;
         let width = table.headings.len();
-        let begins_row = |row: &TableRow<'_>| row.cells.len() == width;
-        for row in table.rows(&begins_row) {
+        for row in table.rows(&|row| row.cells.len() == width) {
             match row {
                 Ok(row) => report.attempt(table, &layout, &who, &row),
                 Err(broken) => report
@@ -232,16 +232,10 @@ fn is_canvas(table: &Table, at: usize) -> bool {
 
 /// Columns whose headings end in the same number, `Question 1`, `Response 1`.
 fn groups(headings: &[String]) -> Option<Vec<Range<usize>>> {
-    let number = |heading: &String| {
-        let name = heading.trim_end_matches(|char: char| char.is_ascii_digit());
-        let is_numbered = name.len() < heading.len() && name.chars().any(char::is_alphabetic);
-        // `Grade/10` is not a question.
-        (is_numbered && !name.ends_with(['/', '.', ','])).then(|| heading[name.len()..].to_owned())
-    };
     let mut groups: Vec<Range<usize>> = Vec::new();
     let mut last = None;
     for (at, heading) in headings.iter().enumerate() {
-        let own = number(heading);
+        let own = number_of(heading);
         match groups.last_mut() {
             Some(group) if own.is_some() && own == last => group.end = at + 1,
             _ if own.is_some() => groups.push(at..at + 1),
@@ -254,6 +248,14 @@ fn groups(headings: &[String]) -> Option<Vec<Range<usize>>> {
             .iter()
             .any(|group| is_one_of(&headings[group.start], RESPONSES));
     (is_report && !groups.is_empty()).then_some(groups)
+}
+
+/// The number of a question at the end of a heading.
+fn number_of(heading: &String) -> Option<String> {
+    let name = heading.trim_end_matches(|char: char| char.is_ascii_digit());
+    let is_numbered = name.len() < heading.len() && name.chars().any(char::is_alphabetic);
+    // `Grade/10` is not a question.
+    (is_numbered && !name.ends_with(['/', '.', ','])).then(|| heading[name.len()..].to_owned())
 }
 
 /// Words of headings of questions and responses, where a report has one column for each.
@@ -305,9 +307,8 @@ fn questions(
     table: &Table,
     groups: &[Range<usize>],
 ) -> Result<Vec<QuestionColumns>, Failure> {
-    let none = |_: &TableRow<'_>| false;
     let mut known = BTreeSet::new();
-    for row in table.rows(&none).flatten() {
+    for row in table.rows(&|_| false).flatten() {
         let columns = groups.iter().flat_map(Clone::clone);
         known.extend(columns.filter(|at| asked(row.cell(*at)).is_some()));
     }
@@ -353,8 +354,7 @@ struct Who {
 
 impl Who {
     fn of(path: &Path, table: &Table, first: usize) -> Result<Self, Failure> {
-        let none = |_: &TableRow<'_>| false;
-        let rows: Vec<TableRow<'_>> = table.rows(&none).flatten().collect();
+        let rows: Vec<TableRow<'_>> = table.rows(&|_| false).flatten().collect();
         let filled = |at: usize| {
             let cells = rows.iter().map(move |row| row.cell(at));
             cells.filter(|cell| !matches!(*cell, "" | "-"))
@@ -415,9 +415,8 @@ impl Who {
             cells: row.cells[..width].to_vec(),
         };
         let mut columns = self.places.student(&self.headings, &own).columns;
-        let known = |name: &str| columns.get(name).cloned().unwrap_or_default();
         let mut id = if self.has_id {
-            known("id")
+            columns.get("id").cloned().unwrap_or_default()
         } else {
             String::new()
         };

@@ -16,30 +16,35 @@ pub(crate) fn chosen(part: &Part, words: &str) -> Option<usize> {
     };
     let typed = bare(words);
     let notations = [Formulas::MathMl, Formulas::Tex];
-    let exported = |document: &Document, notation| {
-        let mut html = String::new();
-        // What is heard of formulas is an attribute, which is not reported.
-        let none = Vec::<Filling>::new();
-        document.write_html_line_with(&mut html, &none, notation, Voice::ENGLISH);
-        bare(&html)
-    };
-    let is_own = |document: &Document| {
+    // Moodle marks bold and slanted words by signs of its own.
+    only(&|document| {
         let mut written = notations
             .iter()
             .map(|notation| exported(document, *notation));
         written.any(|own| own == typed)
-    };
-    // Moodle marks bold and slanted words by signs of its own.
-    let letters = |text: &str| {
-        text.chars()
-            .filter(|char| char.is_alphanumeric())
-            .collect::<String>()
-    };
-    let is_alike = |document: &Document| {
-        let mut written = notations
-            .iter()
-            .map(|notation| exported(document, *notation));
-        written.any(|own| letters(&own) == letters(&typed))
-    };
-    only(&is_own).or_else(|| only(&is_alike))
+    })
+    .or_else(|| {
+        only(&|document| {
+            let mut written = notations
+                .iter()
+                .map(|notation| exported(document, *notation));
+            written.any(|own| letters(&own) == letters(&typed))
+        })
+    })
+}
+
+/// The letters and digits of a text.
+fn letters(text: &str) -> String {
+    text.chars()
+        .filter(|char| char.is_alphanumeric())
+        .collect::<String>()
+}
+
+/// The words of an option as they were exported.
+fn exported(document: &Document, notation: Formulas) -> String {
+    let mut html = String::new();
+    // What is heard of formulas is an attribute, which is not reported.
+    let none = Vec::<Filling>::new();
+    document.write_html_line_with(&mut html, &none, notation, Voice::ENGLISH);
+    bare(&html)
 }

@@ -12,7 +12,7 @@ use super::attempts::Which;
 use super::cells::{boxes, essay, lines};
 use super::moment::Moment;
 use super::options::chosen;
-use super::origin::{BoxAnswer as Boxed, Interaction, QuestionOrigin};
+use super::origin::{Interaction, QuestionOrigin};
 use super::{AnswerTarget, Attempt, ColumnAnswer, Report};
 use crate::cli::Failure;
 use crate::cli::package::ReadPackage;
@@ -118,13 +118,12 @@ impl KnownQuestions<'_> {
             return None;
         };
         let has_all = |question: &QuestionEntry| {
-            let has = |asked: &Boxed| {
+            origin.boxes.iter().all(|asked| {
                 question
                     .parts
                     .iter()
                     .any(|part| part.letter == asked.letter)
-            };
-            origin.boxes.iter().all(has)
+            })
         };
         let questions = variants.get(&origin.code.to_string())?.iter();
         let mut question = questions
@@ -372,11 +371,10 @@ impl AttemptSheet<'_> {
             }
             return;
         }
-        let is_marked_there = |kind: &str| matches!(kind, "numeric" | "integer" | "choice");
         let cut = if question
             .parts
             .iter()
-            .all(|part| is_marked_there(&part.kind))
+            .all(|part| matches!(part.kind.as_str(), "numeric" | "integer" | "choice"))
         {
             boxes(text, origin.boxes.len())
         } else {
@@ -415,12 +413,11 @@ impl AttemptSheet<'_> {
             },
         };
         for part in &question.parts {
-            let own = origin
+            let given: Vec<String> = origin
                 .boxes
                 .iter()
                 .zip(&answers)
-                .filter(|(asked, _)| asked.letter == part.letter);
-            let given: Vec<String> = own
+                .filter(|(asked, _)| asked.letter == part.letter)
                 .map(|(asked, text)| match part.kind.as_str() {
                     "numeric" | "integer" if is_boxed => with_unit(text, &part.unit, asked.power),
                     "choice" => option(template, part, text),

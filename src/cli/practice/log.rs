@@ -17,11 +17,12 @@ pub(crate) struct Log(Option<File>);
 impl Log {
     /// Opens the file to append to.
     pub(crate) fn open(path: Option<&Path>) -> Result<Self, Failure> {
-        let open = |path: &Path| {
+        path.map(|path| {
             let file = OpenOptions::new().append(true).create(true).open(path);
-            file.map_err(|error| unwritable(path, &error))
-        };
-        path.map(open).transpose().map(Self)
+            file.map_err(unwritable(path))
+        })
+        .transpose()
+        .map(Self)
     }
 
     /// Notes an answer.

@@ -109,8 +109,7 @@ fn instance(template: &Template, seed: u64, number: u64) -> Result<Solution<'_>,
     for _ in 0..MAX_TRIES {
         // Seeds that are short to type again in `vibank show --seed`.
         let seed = Seed::new(seeds.below(1_000_000));
-        let instance =
-            Instance::draw(template, seed).map_err(|error| Failure::new(error.to_string()))?;
+        let instance = Instance::draw(template, seed).map_err(Failure::of)?;
         let solution = Solution::of(instance);
         match suitability::judge(&solution, &parts) {
             Ok(()) if suitability::judge_methods(&solution, &parts).is_ok() => {

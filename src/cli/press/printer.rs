@@ -138,8 +138,7 @@ fn talk(
 
 /// How long a process may take for a text of this many bytes.
 fn patience(bytes: usize) -> Duration {
-    let named = crate::cli::setting(VARIABLE);
-    let least = named
+    let least = crate::cli::setting(VARIABLE)
         .and_then(|seconds| seconds.to_str()?.parse().ok())
         .map_or(PATIENCE, Duration::from_secs);
     least + Duration::from_secs((bytes / BYTES_A_SECOND) as u64)

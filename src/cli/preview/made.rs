@@ -109,8 +109,7 @@ impl Made {
 
     /// The page of this name.
     pub(crate) fn pane(&self, name: &str) -> Option<&str> {
-        let mut panes = self.panes.iter();
-        let (_, text) = panes.find(|(kind, _)| kind.name() == name)?;
+        let (_, text) = self.panes.iter().find(|(kind, _)| kind.name() == name)?;
         Some(text)
     }
 
@@ -180,8 +179,7 @@ impl Question {
 /// out: a whole class would have to be chosen for it.
 fn sheet<'c>(plan: &Plan<'c>, students: &[Student], place: usize) -> Result<Sheet<'c>, Trouble> {
     let refuse = |error: vibank::worksheet::SheetError| {
-        Failure::new(error.to_string())
-            .help("loosen the constraints of the item, or fix other data with `set`")
+        Failure::of(error).help("loosen the constraints of the item, or fix other data with `set`")
     };
     let mut chooser = Chooser::new(plan, students, BTreeMap::new());
     let first = if students.is_empty() { 0 } else { place };
@@ -244,7 +242,7 @@ impl From<Failure> for Trouble {
 
 impl From<output::OutputError> for Trouble {
     fn from(error: output::OutputError) -> Self {
-        Self::Failure(Failure::new(error.to_string()))
+        Self::Failure(Failure::of(error))
     }
 }
 

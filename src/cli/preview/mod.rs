@@ -227,8 +227,9 @@ impl Bench {
     /// What the page shows beside the panes, once it is another than that of a version.
     fn state(&self, place: usize, since: Option<u64>) -> HttpReply {
         let board = self.board();
-        let is_seen = |board: &mut Board| since == Some(board.version);
-        let waited = self.changed.wait_timeout_while(board, PATIENCE, is_seen);
+        let waited = self
+            .changed
+            .wait_timeout_while(board, PATIENCE, |board| since == Some(board.version));
         let (board, _) = waited.unwrap_or_else(PoisonError::into_inner);
         let (version, trouble) = (board.version, board.trouble.clone());
         drop(board);

@@ -196,8 +196,10 @@ impl Laid {
         let mut kinds = vec![PageKind::Sheet];
         kinds.extend(blueprint.keys.each.then_some(PageKind::Key));
         kinds.extend(blueprint.solutions.then_some(PageKind::Solutions));
-        let begin = |kind| Ok((kind, pages.begin(pages.subtitle(kind))?));
-        let kinds = kinds.into_iter().map(begin).collect::<Result<_, _>>();
+        let kinds = kinds
+            .into_iter()
+            .map(|kind| Ok((kind, pages.begin(pages.subtitle(kind))?)))
+            .collect::<Result<_, _>>();
         let table = blueprint
             .keys
             .table
@@ -310,7 +312,7 @@ impl Laid {
 }
 
 pub(crate) fn unfilled(error: output::OutputError) -> Failure {
-    Failure::new(error.to_string())
+    Failure::of(error)
 }
 
 /// The layouts of one format in a folder of the user.

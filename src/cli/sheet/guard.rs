@@ -51,13 +51,13 @@ pub(crate) fn make_room(
         None => "before".to_owned(),
     };
     if !precious.is_empty() {
-        let free = |place: &String| !out.has(place);
-        let names = (1..).map(|number| match number {
+        let mut names = (1..).map(|number| match number {
             1 => format!("{KEPT}/{digest}"),
             _ => format!("{KEPT}/{digest}-{number}"),
         });
-        let mut names = names;
-        let kept = names.find(free).expect("there are names without end");
+        let kept = names
+            .find(|place| !out.has(place))
+            .expect("there are names without end");
         for (file, _) in &precious {
             out.rename(file, &format!("{kept}/{file}"))?;
         }
@@ -110,8 +110,7 @@ fn is_filled_in(out: &Folder, held: Option<&Held>) -> Result<bool, Failure> {
     let Some(column) = column else {
         return Ok(true);
     };
-    let mut rows = reader.records();
-    Ok(rows.any(|row| {
+    Ok(reader.records().any(|row| {
         row.is_err()
             || row.is_ok_and(|row| row.get(column).is_some_and(|cell| !cell.trim().is_empty()))
     }))

@@ -48,10 +48,12 @@ pub(crate) fn line(sheet: &Sheet<'_>, language: Language) -> String {
 
 /// The workbook of these lines.
 pub(crate) fn bound(lines: &str) -> Result<Vec<u8>, Failure> {
-    let broken = |error: serde_json::Error| Failure::new(format!("a draft of the run: {error}"));
     let rows: Vec<KeyRowCells> = lines
         .lines()
-        .map(|line| serde_json::from_str(line).map_err(broken))
+        .map(|line| {
+            serde_json::from_str(line)
+                .map_err(|error| Failure::new(format!("a draft of the run: {error}")))
+        })
         .collect::<Result<_, _>>()?;
     // Sheets may ask different parts: in the order in which they come.
     let mut parts: Vec<&str> = Vec::new();
@@ -67,18 +69,18 @@ pub(crate) fn bound(lines: &str) -> Result<Vec<u8>, Failure> {
         .chain(parts.iter().copied())
         .map(str::to_owned)
         .collect();
-    let cells = |(first, keys): &KeyRowCells| {
-        let key = |part: &&str| {
-            let mut keys = keys.iter();
-            let found = keys.find(|(own, _)| own == part);
-            Cell::text(found.map_or("", |(_, key)| key))
-        };
-        first
-            .iter()
-            .map(Cell::text)
-            .chain(parts.iter().map(key))
-            .collect()
-    };
-    let rows: Vec<Vec<Cell>> = rows.iter().map(cells).collect();
+    let rows: Vec<Vec<Cell>> = rows
+        .iter()
+        .map(|(first, keys)| {
+            first
+                .iter()
+                .map(Cell::text)
+                .chain(parts.iter().map(|part| {
+                    let found = keys.iter().find(|(own, _)| own == part);
+                    Cell::text(found.map_or("", |(_, key)| key))
+                }))
+                .collect()
+        })
+        .collect();
     workbook::written("Keys", &head, &rows)
 }

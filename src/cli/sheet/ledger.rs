@@ -69,8 +69,9 @@ impl Ledger {
             RunMark::default()
         };
         file.begin(inputs)?;
-        let is_ledger = |name: &str| name.starts_with(".sheet-") && name.ends_with(".run");
-        if shard.is_whole() && !file.has_company(is_ledger) {
+        if shard.is_whole()
+            && !file.has_company(|name| name.starts_with(".sheet-") && name.ends_with(".run"))
+        {
             let drafts = mark.files.values().map(|left| left.draft.clone());
             folder.sweep(&FOLDERS, &drafts.collect());
         }

@@ -151,19 +151,21 @@ impl Job<'_, '_> {
         gave_way: &BTreeSet<u64>,
         bar: &ProgressBar,
     ) -> Result<Vec<Page>, Failure> {
-        let write = |place: usize| {
-            let student = self
-                .students
-                .get(place)
-                .filter(|_| !self.has_pseudonyms)
-                .cloned();
-            let sheet = Sheet::draw(self.plan, variants[place], student);
-            let sheet = sheet.map_err(|error| refuse(&error))?;
-            let page = self.page(&sheet, place, gave_way.contains(&(place as u64)))?;
-            bar.inc(1);
-            Ok(page)
-        };
-        places.into_par_iter().map(write).collect()
+        places
+            .into_par_iter()
+            .map(|place| {
+                let student = self
+                    .students
+                    .get(place)
+                    .filter(|_| !self.has_pseudonyms)
+                    .cloned();
+                let sheet = Sheet::draw(self.plan, variants[place], student);
+                let sheet = sheet.map_err(|error| refuse(&error))?;
+                let page = self.page(&sheet, place, gave_way.contains(&(place as u64)))?;
+                bar.inc(1);
+                Ok(page)
+            })
+            .collect()
     }
 
     fn page(&self, sheet: &Sheet<'_>, place: usize, gave_way: bool) -> Result<Page, Failure> {
@@ -214,8 +216,7 @@ impl Job<'_, '_> {
 
     /// What is made for the printer, where it is wanted and all sheets are there.
     fn prints(&self, variants: &[Variant]) -> Result<Prints, Failure> {
-        let print = self.plan.blueprint.print.as_ref();
-        let Some(printing) = print.filter(|_| self.is_whole) else {
+        let Some(printing) = self.plan.blueprint.print.as_ref().filter(|_| self.is_whole) else {
             return Ok(Prints::default());
         };
         let job = PrintJob {
@@ -316,5 +317,5 @@ pub(crate) fn refuse(error: &SheetError) -> Failure {
         }
         _ => "loosen the constraints of the item, or fix other data with `set`",
     };
-    Failure::new(error.to_string()).help(way)
+    Failure::of(error).help(way)
 }

@@ -85,11 +85,13 @@ impl MakeUp {
 
 /// Whether two paths lead to one folder.
 fn is_same(one: &Path, other: &Path) -> bool {
-    let whole = |path: &Path| {
-        let here = path.as_os_str().is_empty();
-        std::fs::canonicalize(if here { Path::new(".") } else { path }).ok()
-    };
     whole(one).is_some_and(|one| Some(one) == whole(other))
+}
+
+/// A folder by its whole path.
+fn whole(path: &Path) -> Option<PathBuf> {
+    let here = path.as_os_str().is_empty();
+    std::fs::canonicalize(if here { Path::new(".") } else { path }).ok()
 }
 
 /// The folder of a make-up, if it is not named.
@@ -100,11 +102,10 @@ pub(crate) fn folder(blueprint: &Path) -> PathBuf {
 
 /// The manifest of the first run.
 fn first(arguments: &Arguments) -> PathBuf {
-    let usual = || {
+    arguments.first.clone().unwrap_or_else(|| {
         let name = arguments.blueprint.file_stem().unwrap_or("sheet".as_ref());
         Path::new(name).join("manifest.json")
-    };
-    arguments.first.clone().unwrap_or_else(usual)
+    })
 }
 
 fn unknown(id: &str, students: &[Student]) -> Failure {

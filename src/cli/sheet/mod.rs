@@ -269,8 +269,7 @@ impl SheetRun<'_, '_> {
         catalogue: &vibank::bank::Catalogue,
     ) -> Result<Option<(String, &'static str)>, Failure> {
         let wants = |student: &Student| {
-            let mut columns = student.columns.iter();
-            columns.any(|(name, value)| {
+            student.columns.iter().any(|(name, value)| {
                 name.eq_ignore_ascii_case("format") && value.trim().eq_ignore_ascii_case("screen")
             })
         };
@@ -522,11 +521,13 @@ impl RunSummary {
 /// The folder to write to.
 fn out(arguments: &Arguments) -> PathBuf {
     let name = || arguments.blueprint.file_stem().unwrap_or("sheet".as_ref());
-    let usual = || match arguments.make_up[..] {
-        [] => name().into(),
-        _ => make_up::folder(&arguments.blueprint),
-    };
-    arguments.out.clone().unwrap_or_else(usual)
+    arguments
+        .out
+        .clone()
+        .unwrap_or_else(|| match arguments.make_up[..] {
+            [] => name().into(),
+            _ => make_up::folder(&arguments.blueprint),
+        })
 }
 
 /// The students of the class list of a blueprint, which stands in its folder; none without a list.

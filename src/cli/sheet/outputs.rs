@@ -73,38 +73,41 @@ impl<'f> Outputs<'f> {
         shard: Shard,
         mark: &RunMark,
     ) -> Result<Self, Failure> {
-        let open = |format: &'f Format| {
-            let laid = match format {
-                Format::Json(_) => {
-                    let name = shard.named("sheets", "jsonl");
-                    return Ok(Files::Json(Stream::open(out, name, "", mark)?));
-                }
-                Format::Workbook(language) => {
-                    let name = shard.named("key-table", XLSX);
-                    let open = || Stream::open(out, name, "", mark);
-                    return Ok(Files::Workbook(language.map(|_| open()).transpose()?));
-                }
-                Format::Pages(laid) => laid,
-            };
-            let stream = |(kind, begin): &(PageKind, String)| {
-                let name = shard.named(kind.folder(), laid.extension());
-                let open = || Stream::open(out, name, begin, mark);
-                (!laid.is_split).then(open).transpose()
-            };
-            let table = laid.table.as_ref().map(|begin| {
-                let name = shard.named("key-table", laid.extension());
-                // What a press prints is bound in pieces, each with its own beginning.
-                let is_bound = laid.pages.writer().is_bound();
-                Stream::open(out, name, if is_bound { "" } else { begin }, mark)
-            });
-            Ok(Files::Pages {
-                laid,
-                streams: laid.kinds.iter().map(stream).collect::<Result<_, _>>()?,
-                table: table.transpose()?,
-            })
-        };
         Ok(Self {
-            formats: formats.iter().map(open).collect::<Result<_, _>>()?,
+            formats: formats
+                .iter()
+                .map(|format| {
+                    let laid = match format {
+                        Format::Json(_) => {
+                            let name = shard.named("sheets", "jsonl");
+                            return Ok(Files::Json(Stream::open(out, name, "", mark)?));
+                        }
+                        Format::Workbook(language) => {
+                            let name = shard.named("key-table", XLSX);
+                            let open = || Stream::open(out, name, "", mark);
+                            return Ok(Files::Workbook(language.map(|_| open()).transpose()?));
+                        }
+                        Format::Pages(laid) => laid,
+                    };
+                    let stream = |(kind, begin): &(PageKind, String)| {
+                        let name = shard.named(kind.folder(), laid.extension());
+                        (!laid.is_split)
+                            .then(|| Stream::open(out, name, begin, mark))
+                            .transpose()
+                    };
+                    let table = laid.table.as_ref().map(|begin| {
+                        let name = shard.named("key-table", laid.extension());
+                        // What a press prints is bound in pieces, each with its own beginning.
+                        let is_bound = laid.pages.writer().is_bound();
+                        Stream::open(out, name, if is_bound { "" } else { begin }, mark)
+                    });
+                    Ok(Files::Pages {
+                        laid,
+                        streams: laid.kinds.iter().map(stream).collect::<Result<_, _>>()?,
+                        table: table.transpose()?,
+                    })
+                })
+                .collect::<Result<_, _>>()?,
         })
     }
 
@@ -290,12 +293,11 @@ impl Stream {
         let pieces: Vec<&str> = pieces.split(PIECE_END).collect();
         let (stem, extension) = self.name.rsplit_once('.').unwrap_or((&self.name, ""));
         let digits = pieces.len().to_string().len();
-        let named = |at: usize| match pieces.len() {
-            1 => self.name.clone(),
-            _ => format!("{stem}-{:0digits$}.{extension}", at + 1),
-        };
-        let print = |(at, piece): (usize, &&str)| {
-            let name = named(at);
+        let printed = pieces.par_iter().enumerate().map(|(at, piece)| {
+            let name = match pieces.len() {
+                1 => self.name.clone(),
+                _ => format!("{stem}-{:0digits$}.{extension}", at + 1),
+            };
             match laid.bind(format!("{begin}{piece}{}", laid.end)) {
                 Ok(bytes) => Ok((out.write(&name, &bytes)?, name, None)),
                 Err(why) => {
@@ -303,8 +305,7 @@ impl Stream {
                     Ok((UNPRINTED.to_owned(), name, Some(line)))
                 }
             }
-        };
-        let printed = pieces.par_iter().enumerate().map(print);
+        });
         let printed: Vec<_> = printed.collect::<Result<_, Failure>>()?;
         let mut digests = Vec::new();
         for (digest, name, line) in printed {

@@ -99,26 +99,25 @@ impl PrintJob<'_, '_> {
             1 => format!("{FOLDER}/sheets.pdf"),
             _ => format!("{FOLDER}/sheets-{:0digits$}.pdf", at + 1),
         };
-        let print = |(at, piece): (usize, &&[Leaf<'_>])| {
-            let texts = piece.iter().map(|leaf| self.leaf(laid, *leaf, roll));
-            let texts = texts.collect::<Result<Vec<_>, _>>()?;
-            let text = format!("{begin}{}{}", texts.concat(), laid.end);
-            let name = name(at);
-            Ok::<_, Failure>(match laid.bind(text) {
-                Ok(bytes) => {
-                    let digest = self.out.write(&name, &bytes)?;
-                    (name, digest, None)
-                }
-                Err(why) => {
-                    let line = format!("`{name}` could not be printed: {why}");
-                    (name, UNPRINTED.to_owned(), Some(line))
-                }
-            })
-        };
         let printed: Vec<_> = pieces
             .par_iter()
             .enumerate()
-            .map(print)
+            .map(|(at, piece)| {
+                let texts = piece.iter().map(|leaf| self.leaf(laid, *leaf, roll));
+                let texts = texts.collect::<Result<Vec<_>, _>>()?;
+                let text = format!("{begin}{}{}", texts.concat(), laid.end);
+                let name = name(at);
+                Ok::<_, Failure>(match laid.bind(text) {
+                    Ok(bytes) => {
+                        let digest = self.out.write(&name, &bytes)?;
+                        (name, digest, None)
+                    }
+                    Err(why) => {
+                        let line = format!("`{name}` could not be printed: {why}");
+                        (name, UNPRINTED.to_owned(), Some(line))
+                    }
+                })
+            })
             .collect::<Result<_, _>>()?;
         let shown = match pieces.len() {
             1 => name(0),

@@ -60,8 +60,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
                 .help("name another folder with `--out`"),
         );
     }
-    let reader = Reader::find()?;
-    let readings = reader.read(&scans)?;
+    let readings = Reader::find()?.read(&scans)?;
     let mut sorted = Sorted::default();
     for (scan, reading) in scans.iter().zip(readings) {
         sorted.take(scan, reading, names.as_ref());
@@ -96,14 +95,12 @@ fn scans(given: &[PathBuf]) -> Result<Vec<PathBuf>, Failure> {
     let mut scans = Vec::new();
     for path in given {
         if path.is_dir() {
-            let folder = Folder::at(path);
-            let is_image = |name: &String| {
+            let images = Folder::at(path).names("").into_iter().filter(|name| {
                 let name = name.to_lowercase();
                 [".png", ".jpg", ".jpeg"]
                     .iter()
                     .any(|end| name.ends_with(end))
-            };
-            let images = folder.names("").into_iter().filter(is_image);
+            });
             let count = scans.len();
             scans.extend(images.map(|name| path.join(name)));
             if scans.len() == count {
@@ -153,13 +150,10 @@ impl SheetNames {
             let count = manifest.variants.len();
             let is_first = names.stems.is_empty();
             for (place, entry) in manifest.variants.into_iter().enumerate() {
-                let student = entry.student.map(|row| {
-                    let column = |name: &str| row.get(name).cloned().unwrap_or_default();
-                    Student {
-                        id: column("id"),
-                        name: column("name"),
-                        ..Student::default()
-                    }
+                let student = entry.student.map(|row| Student {
+                    id: row.get("id").cloned().unwrap_or_default(),
+                    name: row.get("name").cloned().unwrap_or_default(),
+                    ..Student::default()
                 });
                 let code = entry.code;
                 let stem = match &student {
@@ -323,13 +317,11 @@ fn ending(scan: &Path) -> String {
 
 /// Copies a scan piece by piece.
 fn copy(from: &Path, out: &Folder, to: &str) -> Result<(), Failure> {
-    let fail =
-        |error: std::io::Error| Failure::new(format!("cannot read `{}`: {error}", from.display()));
     let mut file: fs::File = files::open(from)?;
     let mut draft = out.begin(to)?;
     let mut piece = vec![0; 1 << 16];
     loop {
-        let length = file.read(&mut piece).map_err(fail)?;
+        let length = file.read(&mut piece).map_err(files::unreadable(from))?;
         if length == 0 {
             break;
         }

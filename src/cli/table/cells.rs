@@ -154,8 +154,7 @@ impl<'t> Cursor<'t> {
 
     /// A line cut at each delimiter, whatever its quotes are.
     fn pieces(&self, line: &'t str) -> Vec<Cow<'t, str>> {
-        let cells = line.split(char::from(self.delimiter));
-        cells
+        line.split(char::from(self.delimiter))
             .map(|cell| Cow::Borrowed(cell.trim().trim_matches('"').trim()))
             .collect()
     }
@@ -167,8 +166,7 @@ impl<'t> Cursor<'t> {
             let length = rest.find(['\n', '\r']).unwrap_or(rest.len());
             // A line on its own: quotes that it leaves open end with it.
             let mut own = Cursor::new(&rest[..length], self.delimiter);
-            let none = |_: &TableRow<'_>| false;
-            if let Some(Ok(row)) = own.row(&none)
+            if let Some(Ok(row)) = own.row(&|_| false)
                 && begins_row(&row)
             {
                 return true;

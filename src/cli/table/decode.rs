@@ -54,10 +54,6 @@ const WINDOWS: [Option<char>; 32] = [
 
 /// Reads UTF-8, UTF-16 with or without a mark of byte order, and all else as Windows-1252; accents are [`composed`].
 pub(crate) fn decode(bytes: Vec<u8>) -> Result<Decoded, NoText> {
-    let certain = |text| Decoded {
-        text: composed(text),
-        is_guessed: false,
-    };
     match bytes.as_slice() {
         [0xff, 0xfe, 0, 0, ..] | [0, 0, 0xfe, 0xff, ..] => {
             let found = "UTF-32";
@@ -88,11 +84,15 @@ pub(crate) fn decode(bytes: Vec<u8>) -> Result<Decoded, NoText> {
     }
 }
 
+/// A text of which nothing was guessed.
+fn certain(text: String) -> Decoded {
+    Decoded {
+        text: composed(text),
+        is_guessed: false,
+    }
+}
+
 fn utf16(bytes: &[u8], unit: fn([u8; 2]) -> u16) -> Result<String, NoText> {
-    let broken = |text: &str| NoText {
-        line: line(text.as_bytes(), text.len()),
-        found: "broken UTF-16",
-    };
     let (pairs, rest) = bytes.as_chunks::<2>();
     let mut text = String::with_capacity(bytes.len());
     for char in char::decode_utf16(pairs.iter().map(|pair| unit(*pair))) {
@@ -105,6 +105,14 @@ fn utf16(bytes: &[u8], unit: fn([u8; 2]) -> u16) -> Result<String, NoText> {
         Ok(text)
     } else {
         Err(broken(&text))
+    }
+}
+
+/// Where a text breaks off that is no UTF-16.
+fn broken(text: &str) -> NoText {
+    NoText {
+        line: line(text.as_bytes(), text.len()),
+        found: "broken UTF-16",
     }
 }
 

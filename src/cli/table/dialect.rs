@@ -48,13 +48,17 @@ impl Dialect {
             .delimiter(delimiter)
             .buffer_capacity(ROOM)
             .from_writer(Vec::new());
-        let fail = |error: csv::Error| Failure::new(format!("cannot write CSV: {error}"));
         writer
             .write_record(fields.iter().map(|field| guarded(field)))
-            .map_err(fail)?;
+            .map_err(|error| Failure::new(format!("cannot write CSV: {error}")))?;
         writer
             .into_inner()
             .map_err(|error| Failure::new(format!("cannot write CSV: {error}")))
+    }
+
+    /// A number to three decimals; nothing where there is none.
+    pub(crate) fn share(self, value: Option<f64>) -> String {
+        value.map_or_else(String::new, |own| self.number(&format!("{own:.3}")))
     }
 
     /// The first line, after the mark of byte order.
@@ -67,8 +71,9 @@ impl Dialect {
 
 /// A cell that a spreadsheet would take for a formula gets an apostrophe in front, unless it is a number.
 fn guarded(field: &str) -> Cow<'_, [u8]> {
-    let is_number = || field.replacen(',', ".", 1).parse::<f64>().is_ok();
-    if field.starts_with(['=', '+', '-', '@', '\t', '\r']) && !is_number() {
+    if field.starts_with(['=', '+', '-', '@', '\t', '\r'])
+        && field.replacen(',', ".", 1).parse::<f64>().is_err()
+    {
         format!("'{field}").into_bytes().into()
     } else {
         field.as_bytes().into()

@@ -248,10 +248,9 @@ fn foreign(bytes: &[u8]) -> Option<&'static str> {
 /// The first word with a letter by which one sees whether the encoding was guessed right.
 fn sample(text: &str) -> String {
     let mut words = text.split(|char: char| !char.is_alphanumeric());
-    let word = words.find(|word| !word.is_ascii()).or_else(|| {
-        let mut lines = text.lines();
-        lines.find(|line| !line.is_ascii())
-    });
+    let word = words
+        .find(|word| !word.is_ascii())
+        .or_else(|| text.lines().find(|line| !line.is_ascii()));
     word.unwrap_or_default().chars().take(30).collect()
 }
 
@@ -266,8 +265,9 @@ fn named_delimiter(text: &str) -> Option<(usize, u8)> {
 
 /// The delimiter of the first line with words: spreadsheets write semicolons where the comma is the decimal sign.
 pub(crate) fn delimiter(text: &str) -> u8 {
-    let is_blank = |line: &&str| line.trim_matches([',', ';', '\t', ' ']).is_empty();
-    let mut lines = text.split(['\n', '\r']).skip_while(is_blank);
+    let mut lines = text
+        .split(['\n', '\r'])
+        .skip_while(|line| line.trim_matches([',', ';', '\t', ' ']).is_empty());
     let header = lines.next().unwrap_or_default();
     // Quotation marks do not nest: every other piece lies outside of them.
     let outside = || header.split('"').step_by(2);

@@ -169,12 +169,11 @@ fn demand(name: &str, from: usize) -> Result<(&str, Form), TextError> {
 /// `[A-Za-z][A-Za-z0-9_]*`
 /// Names, the later of which may be numbers: `model.row.1`.
 fn is_path(names: &[&str]) -> bool {
-    let is_number = |name: &str| name.bytes().all(|b| b.is_ascii_digit());
     let (first, rest) = (names.first(), names.iter().skip(1));
     first.is_some_and(|name| is_name(name))
-        && rest
-            .into_iter()
-            .all(|name| is_name(name) || !name.is_empty() && is_number(name))
+        && rest.into_iter().all(|name| {
+            is_name(name) || !name.is_empty() && name.bytes().all(|b| b.is_ascii_digit())
+        })
 }
 
 fn is_name(name: &str) -> bool {

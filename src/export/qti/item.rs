@@ -137,8 +137,9 @@ fn shares(points: Rational, boxes: usize) -> Vec<f64> {
         return vec![points.to_f64() / count as f64; boxes.max(1)];
     };
     let (each, left) = (steps.numerator() / count, steps.numerator() % count);
-    let share = |place| (each + i128::from(place < left)) as f64 / STEPS as f64;
-    (0..count).map(share).collect()
+    (0..count)
+        .map(|place| (each + i128::from(place < left)) as f64 / STEPS as f64)
+        .collect()
 }
 
 fn fields<'h>(sorted: &'h Sorted<'_>) -> Vec<ItemBox<'h>> {

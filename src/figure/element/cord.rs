@@ -61,14 +61,13 @@ fn pieces(part: &Part<'_>) -> Vec<(Point, Point)> {
         .map(|pair| pair[0].tangent(pair[1]))
         .collect();
     let last = pieces.len() - 1;
-    let trim = |end: &End, from: Point, at: Point| match end.body {
-        Some(body) if end.pass.is_none() && end.out.is_none() && !body.has_axle => {
-            body.entry(from, at)
-        }
-        _ => at,
-    };
-    pieces[0].0 = trim(&part.ends[0], pieces[0].1, pieces[0].0);
-    pieces[last].1 = trim(&part.ends[last + 1], pieces[last].0, pieces[last].1);
+    let (first, end) = (&part.ends[0], &part.ends[last + 1]);
+    if first.pass.is_none() {
+        pieces[0].0 = first.trimmed(pieces[0].1, pieces[0].0, false);
+    }
+    if end.pass.is_none() {
+        pieces[last].1 = end.trimmed(pieces[last].0, pieces[last].1, false);
+    }
     pieces
 }
 

@@ -96,11 +96,10 @@ pub(crate) fn hatch(part: &Part<'_>, a: Point, b: Point, top: f64, drawing: &mut
 fn teeth(part: &Part<'_>, a: Point, b: Point, drawing: &mut Drawing) {
     let out = -(b - a).unit().left() * TEETH;
     let count = (a.distance(b) / 0.12).round().clamp(2.0, 1000.0) as usize;
-    let tooth = |place: usize| {
+    let path = Path::through((0..=count).map(|place| {
         let base = a.towards(b, place as f64 / count as f64);
         if place % 2 == 1 { base + out } else { base }
-    };
-    let path = Path::through((0..=count).map(tooth));
+    }));
     drawing.decorate(path, Some(part.pen(Weight::Thin)), Fill::None);
 }
 

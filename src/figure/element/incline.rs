@@ -57,11 +57,6 @@ impl Element for Incline {
         drawing.stroke(Path::line(foot, upper), part.pen(Weight::Bold));
         // The strokes stay within the slope: above its base and before its upper end.
         let steep = tan(angle.abs()).max(1e-3);
-        let within = |from: Point, to: Point, [first, last]: [f64; 2]| {
-            let length = from.distance(to).max(1e-9);
-            let [first, last] = [first, last].map(|share| (share * DEPTH / length).min(0.45));
-            (from.towards(to, first), to.towards(from, last))
-        };
         let (a, b) = if angle < 0.0 {
             within(upper, foot, [steep, (1.0 / steep - 1.0).max(0.0)])
         } else {
@@ -97,4 +92,11 @@ impl Element for Incline {
         spots.extend(spots::beside(foot, far, 0.0, Some(Side::Below)));
         spots
     }
+}
+
+/// A line shortened at its ends, by shares of the depth.
+fn within(from: Point, to: Point, [first, last]: [f64; 2]) -> (Point, Point) {
+    let length = from.distance(to).max(1e-9);
+    let [first, last] = [first, last].map(|share| (share * DEPTH / length).min(0.45));
+    (from.towards(to, first), to.towards(from, last))
 }

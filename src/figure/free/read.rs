@@ -48,8 +48,7 @@ impl<'r, 'a, 's> FreeReader<'r, 'a, 's> {
     /// The free-body diagrams; `rows` are the elements as they are written.
     pub(crate) fn diagrams(mut self, rows: &[Value]) -> Free {
         self.hold_identities(rows);
-        let table = self.figure.table;
-        let Some(outer) = table.table("free") else {
+        let Some(outer) = self.figure.table.table("free") else {
             return Free { bodies: Vec::new() };
         };
         let acting = self.figure.item.bodies();
@@ -544,10 +543,6 @@ fn has_id(row: &Value, id: &str) -> bool {
 
 /// Adds what belongs to kept elements: bodies at the same centre, and coordinates and turns that start from them.
 fn with_company(items: &[Item], kept: &mut Vec<usize>) -> Vec<u32> {
-    let slot = |place: &ElementPlace| match place {
-        ElementPlace::Named(slot) | ElementPlace::Side(slot, _) => Some(*slot),
-        ElementPlace::Free(_) | ElementPlace::Pass(..) => None,
-    };
     let mut slots = Vec::new();
     let mut ends = Vec::new();
     for place in &*kept {
@@ -573,6 +568,14 @@ fn with_company(items: &[Item], kept: &mut Vec<usize>) -> Vec<u32> {
         }
     }
     slots
+}
+
+/// The point of the figure at which something ends, or whose side it meets.
+fn slot(place: &ElementPlace) -> Option<u32> {
+    match place {
+        ElementPlace::Named(slot) | ElementPlace::Side(slot, _) => Some(*slot),
+        ElementPlace::Free(_) | ElementPlace::Pass(..) => None,
+    }
 }
 
 /// The forces of several laws, each with a component for each of their motions.

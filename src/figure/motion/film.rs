@@ -142,8 +142,7 @@ impl<'f> MovingFigure<'f> {
     /// Whether an element is ground that no motion takes along, and so lies under all that moves.
     fn is_still(&self, place: usize) -> bool {
         let item = &self.figure.items[place];
-        let mut points = self.motion.points.iter();
-        let moves = points.any(|point| {
+        let moves = self.motion.points.iter().any(|point| {
             let slot = point.slot();
             slot.is_some() && item.ends.iter().any(|end| end.slot() == slot)
         });

@@ -43,12 +43,13 @@ impl Axis {
     /// The coordinates of a range.
     pub(crate) fn coordinates(&self, name: char, range: [f64; 2]) -> Result<[f64; 2], PlotError> {
         let [from, to] = range;
-        let error = || PlotError::Range {
-            axis: name,
-            from,
-            to,
+        let coordinate = |value| {
+            self.coordinate(value).ok_or_else(|| PlotError::Range {
+                axis: name,
+                from,
+                to,
+            })
         };
-        let coordinate = |value| self.coordinate(value).ok_or_else(error);
         Ok([coordinate(from)?, coordinate(to)?])
     }
 
@@ -136,10 +137,13 @@ pub(crate) fn draw(
     for end in ends {
         arrow_head(drawing, end, end.unit());
     }
-    let width = |label: &FigureLabel| label.width();
-    let across = plot
-        .x
-        .clear_ticks(frame.x, MAX_TICK_COUNTS[0], plot.decimal, width, WIDTH);
+    let across = plot.x.clear_ticks(
+        frame.x,
+        MAX_TICK_COUNTS[0],
+        plot.decimal,
+        FigureLabel::width,
+        WIDTH,
+    );
     for tick in &across.ticks {
         let at = Point::new(frame.place([tick.at, frame.y[0]]).x, 0.0);
         draw_tick(drawing, tick, at, Point::new(0.0, -1.0));
@@ -167,10 +171,6 @@ pub(crate) fn draw(
 /// Thin lines where a coordinate is zero inside the frame.
 fn zero_lines(drawing: &mut Drawing, frame: &Frame, plot: &Plot<'_>) {
     let pen = Pen::new(Weight::Hair);
-    let is_inside = |axis: &Axis, [from, to]: [f64; 2]| {
-        let slack = 1e-3 * (to - from);
-        !axis.is_logarithmic && from < -slack && to > slack
-    };
     if is_inside(&plot.y, frame.y) {
         let y = frame.place([frame.x[0], 0.0]).y;
         drawing.stroke(Path::line(Point::new(0.0, y), Point::new(WIDTH, y)), pen);
@@ -179,6 +179,12 @@ fn zero_lines(drawing: &mut Drawing, frame: &Frame, plot: &Plot<'_>) {
         let x = frame.place([0.0, frame.y[0]]).x;
         drawing.stroke(Path::line(Point::new(x, 0.0), Point::new(x, HEIGHT)), pen);
     }
+}
+
+/// Whether zero lies well within the frame of an axis.
+fn is_inside(axis: &Axis, [from, to]: [f64; 2]) -> bool {
+    let slack = 1e-3 * (to - from);
+    !axis.is_logarithmic && from < -slack && to > slack
 }
 
 fn draw_tick(drawing: &mut Drawing, tick: &Tick, at: Point, outward: Point) {

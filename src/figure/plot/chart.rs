@@ -97,18 +97,17 @@ fn names(plot: &Plot<'_>, moved: Option<usize>) -> Vec<Named> {
 fn pens(plot: &Plot<'_>) -> Vec<Pen> {
     let mut dashes = DASHES.iter().cycle();
     let medium = Pen::new(Weight::Medium);
-    let pen = |style: CurveStyle| match style {
-        CurveStyle::Auto => medium.dashed(*dashes.next().unwrap_or(&Dash::Solid)),
-        CurveStyle::Solid => medium,
-        CurveStyle::Dashed => medium.dashed(Dash::Dashed),
-        CurveStyle::Dotted => medium.dashed(Dash::Dotted),
-        CurveStyle::Limit => Pen::new(Weight::Hair).dashed(Dash::Long),
-        CurveStyle::Band => Pen::new(Weight::Hair),
-    };
     plot.curves
         .iter()
         .map(|curve| curve.style)
-        .map(pen)
+        .map(|style| match style {
+            CurveStyle::Auto => medium.dashed(*dashes.next().unwrap_or(&Dash::Solid)),
+            CurveStyle::Solid => medium,
+            CurveStyle::Dashed => medium.dashed(Dash::Dashed),
+            CurveStyle::Dotted => medium.dashed(Dash::Dotted),
+            CurveStyle::Limit => Pen::new(Weight::Hair).dashed(Dash::Long),
+            CurveStyle::Band => Pen::new(Weight::Hair),
+        })
         .collect()
 }
 

@@ -153,16 +153,18 @@ impl CurveLine {
 
     /// Its points on paper, dense enough to stand for the line, run by run.
     pub(crate) fn flat(&self, frame: &Frame) -> Vec<Vec<Point>> {
-        let flat = |run: &CurveRun| {
-            let mut points = vec![frame.place(run[0].at)];
-            for pair in run.windows(2) {
-                points.extend((1..=FLAT).map(|piece| {
-                    frame.place(cubic(&pair[0], &pair[1], piece as f64 / FLAT as f64).0)
-                }));
-            }
-            points
-        };
-        self.runs.iter().map(flat).collect()
+        self.runs
+            .iter()
+            .map(|run| {
+                let mut points = vec![frame.place(run[0].at)];
+                for pair in run.windows(2) {
+                    points.extend((1..=FLAT).map(|piece| {
+                        frame.place(cubic(&pair[0], &pair[1], piece as f64 / FLAT as f64).0)
+                    }));
+                }
+                points
+            })
+            .collect()
     }
 }
 

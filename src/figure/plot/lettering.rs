@@ -159,8 +159,7 @@ impl Letterer {
         let mut best: Option<LabelCandidate> = None;
         for candidate in candidates {
             let is_better = best.as_ref().is_none_or(|best| candidate.cost < best.cost);
-            let is_free = || self.is_free(candidate.bounds(label)) && self.leads(&candidate, label);
-            if is_better && is_free() {
+            if is_better && self.is_free(candidate.bounds(label)) && self.leads(&candidate, label) {
                 best = Some(candidate);
             }
         }

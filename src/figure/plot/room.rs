@@ -67,14 +67,16 @@ impl Room {
 
     /// The cell of a point, or the nearest one.
     fn cell(&self, point: Point) -> (usize, usize) {
-        let number = |at: f64, from: f64, count: usize| {
-            (((at - from) / CELL).max(0.0) as usize).min(count - 1)
-        };
         (
-            number(point.x, self.bounds.low.x, self.columns),
-            number(point.y, self.bounds.low.y, self.rows),
+            cell(point.x, self.bounds.low.x, self.columns),
+            cell(point.y, self.bounds.low.y, self.rows),
         )
     }
+}
+
+/// The cell of a place.
+fn cell(at: f64, from: f64, count: usize) -> usize {
+    (((at - from) / CELL).max(0.0) as usize).min(count - 1)
 }
 
 #[cfg(test)]

@@ -37,12 +37,11 @@ impl Ticks {
         let power = common_power(largest);
         let unit = pow(10.0, f64::from(power));
         let decimals = decimals(step / unit);
-        let label = |at: f64| Some(number(at / unit, decimals, mark));
         Self {
             ticks: multiples(range, step)
                 .map(|at| Tick {
                     at,
-                    label: label(at),
+                    label: Some(number(at / unit, decimals, mark)),
                 })
                 .collect(),
             power,

@@ -347,7 +347,9 @@ fn computed(formula: &Expr, evaluation: &Evaluation<'_>) -> Option<Value> {
         .collect();
     let texts: Vec<&str> = names.iter().map(Name::as_str).collect();
     let program = Program::compile(formula, &Slots(&texts)).ok()?;
-    let number = |name: &Name| Some(Precise::exact(evaluation.real(graph.find(name)?).ok()?));
-    let data = names.iter().map(number).collect::<Option<Vec<_>>>()?;
+    let data = names
+        .iter()
+        .map(|name| Some(Precise::exact(evaluation.real(graph.find(name)?).ok()?)))
+        .collect::<Option<Vec<_>>>()?;
     program.evaluate(&data[..], &mut Workspace::default()).ok()
 }

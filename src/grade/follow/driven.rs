@@ -80,8 +80,7 @@ fn own(
         .map(|(node, _, single)| (node, single))
         .collect();
     let answered = |single: Sdof| {
-        let mut known = known.iter();
-        let (node, _) = known.find(|(_, own)| *own == single)?;
+        let (node, _) = known.iter().find(|(_, own)| *own == single)?;
         answers
             .last(*node)
             .filter(|own| own.source != Source::Related)

@@ -3,7 +3,6 @@
 use super::answers::Own;
 use super::matrices::Matrices;
 use crate::answer::AnswerKind;
-use crate::bank::Parameter;
 use crate::expr::{Shape, Value};
 use crate::instance::Instance;
 use crate::numerics::EigenPair;
@@ -59,15 +58,18 @@ fn is_shape(solution: &Solution<'_>, node: NodeId) -> bool {
 
 /// Whether a shape has the size of another, whatever its components are; which of them vanish is a slip like others.
 fn is_shape_like(own: &Value, right: &Value) -> bool {
-    let size = |value: &Value| -> f64 {
-        value
-            .numbers()
-            .iter()
-            .map(|number| number * number)
-            .sum::<f64>()
-            .sqrt()
-    };
-    has_size(size(own), size(right)) && own.numbers().iter().filter(|own| **own != 0.0).count() > 1
+    has_size(length(own), length(right))
+        && own.numbers().iter().filter(|own| **own != 0.0).count() > 1
+}
+
+/// The length of a list of numbers.
+fn length(value: &Value) -> f64 {
+    value
+        .numbers()
+        .iter()
+        .map(|number| number * number)
+        .sum::<f64>()
+        .sqrt()
 }
 
 fn has_size(own: f64, right: f64) -> bool {
@@ -115,21 +117,19 @@ pub(crate) fn is_fair_system(
         })
     };
     let largest = due.last().map_or(0.0, |mode| mode.value);
-    let is_near = |(due, found): (&EigenPair, &EigenPair)| {
-        if due.value.abs() <= ZERO * largest {
-            return found.value.abs() <= ZERO * largest;
-        }
-        found.value > 0.0 && has_size(found.value.sqrt(), due.value.sqrt())
-    };
     (0..size).all(|row| couples(own, row) || !couples(right, row))
-        && due.iter().zip(found).all(is_near)
+        && due.iter().zip(found).all(|(due, found)| {
+            if due.value.abs() <= ZERO * largest {
+                return found.value.abs() <= ZERO * largest;
+            }
+            found.value > 0.0 && has_size(found.value.sqrt(), due.value.sqrt())
+        })
 }
 
 /// Whether a quantity is negative for some data of the item and positive for others.
 fn has_any_sign(solution: &Solution<'_>, node: NodeId) -> bool {
-    let drawn =
-        (0..DRAWS).filter_map(|seed| Instance::draw(solution.template(), Seed::new(seed)).ok());
-    let is_negative: Vec<bool> = drawn
+    let is_negative: Vec<bool> = (0..DRAWS)
+        .filter_map(|seed| Instance::draw(solution.template(), Seed::new(seed)).ok())
         .filter_map(|instance| {
             let value = instance
                 .evaluation()
@@ -261,6 +261,8 @@ fn elasticity(solution: &Solution<'_>, key: NodeId, value: f64, input: NodeId) -
 
 fn parameters<'s>(solution: &'s Solution<'_>) -> impl Iterator<Item = NodeId> + use<'s> {
     let template = solution.template();
-    let node = |parameter: &'s Parameter| template.graph.find(&parameter.name);
-    template.parameters.iter().filter_map(node)
+    template
+        .parameters
+        .iter()
+        .filter_map(|parameter| template.graph.find(&parameter.name))
 }

@@ -91,11 +91,13 @@ fn by_route(
 ) -> Option<(Own, Value, Option<Expr>)> {
     let graph = &solution.template().graph;
     let route = solution.template().info(key)?.verify?;
-    let goes_on = |own: &&Own| {
-        let stands = graph.depends(route, &own.name) && !graph.depends(key, &own.name);
-        stands && own.source != Source::Related
-    };
-    let own: Vec<&Own> = answers.own().filter(goes_on).collect();
+    let own: Vec<&Own> = answers
+        .own()
+        .filter(|own| {
+            let stands = graph.depends(route, &own.name) && !graph.depends(key, &own.name);
+            stands && own.source != Source::Related
+        })
+        .collect();
     let source = (*own.first()?).clone();
     let evaluation = solution.evaluation().replacing(answers.values(&own));
     let value = evaluation.value(route).ok()?.clone();
@@ -118,29 +120,30 @@ impl NearbyData {
             .map(|parameter| parameter.name.clone())
             .collect();
         crate::numerics::sort_by(&mut names, Ord::cmp);
-        let is_known = |name: &Name| names.contains(name);
         if formula
             .names()
             .free
             .iter()
-            .any(|free| !is_known(&free.name))
+            .any(|free| !names.contains(&free.name))
         {
             return None;
         }
         let value = |name: &Name| solution.evaluation().real(graph.find(name)?).ok();
         let values = names.iter().map(value).collect::<Option<Vec<f64>>>()?;
-        let point = |number: usize| {
-            let moved = values.iter().enumerate().map(|(place, value)| {
-                // Irrational shares, so that no two data move alike.
-                let share = (0.618_034 * (1 + place) as f64 + 0.414_214 * number as f64).fract();
-                // Near the data, where the same branches of the formulas hold.
-                Precise::exact(value * (0.9 + 0.2 * share))
-            });
-            moved.collect()
-        };
         Some(Self {
             names: names.clone(),
-            points: (0..POINTS).map(point).collect(),
+            points: (0..POINTS)
+                .map(|number| {
+                    let moved = values.iter().enumerate().map(|(place, value)| {
+                        // Irrational shares, so that no two data move alike.
+                        let share =
+                            (0.618_034 * (1 + place) as f64 + 0.414_214 * number as f64).fract();
+                        // Near the data, where the same branches of the formulas hold.
+                        Precise::exact(value * (0.9 + 0.2 * share))
+                    });
+                    moved.collect()
+                })
+                .collect(),
         })
     }
 
@@ -148,8 +151,10 @@ impl NearbyData {
         let texts: Vec<&str> = self.names.iter().map(Name::as_str).collect();
         let program = Program::compile(formula, &Slots(&texts)).ok()?;
         let mut room = Workspace::default();
-        let value = |point: &Vec<Precise>| program.evaluate(&point[..], &mut room).ok()?.as_real();
-        self.points.iter().map(value).collect()
+        self.points
+            .iter()
+            .map(|point| program.evaluate(&point[..], &mut room).ok()?.as_real())
+            .collect()
     }
 
     /// The value of a formula for the instance, with these values of further names.

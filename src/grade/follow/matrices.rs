@@ -85,11 +85,10 @@ impl Matrices {
     pub(crate) fn formulas(&self) -> Option<[Vec<Expr>; 3]> {
         let size = self.size();
         let block = |block: usize| {
-            let own = self
-                .rows
+            self.rows
                 .iter()
-                .flat_map(|row| &row[block * size..(block + 1) * size]);
-            own.map(|entry| entry.formula.clone())
+                .flat_map(|row| &row[block * size..(block + 1) * size])
+                .map(|entry| entry.formula.clone())
                 .collect::<Option<Vec<_>>>()
         };
         Some([block(0)?, block(1)?, block(2)?])
@@ -103,12 +102,11 @@ impl Matrices {
                 return None;
             }
             let value = right.value / own.value;
-            let agrees = |(right, own): &(&MatrixEntry, &MatrixEntry)| {
-                right.value != 0.0 && is_same(right.value, value * own.value)
-            };
             let formula = right.formula.clone().zip(own.formula.clone());
             Some(Likeness {
-                count: right_count(&self.rows[at], row, agrees),
+                count: right_count(&self.rows[at], row, |(right, own)| {
+                    right.value != 0.0 && is_same(right.value, value * own.value)
+                }),
                 factor: MatrixEntry {
                     value,
                     formula: formula.map(|(right, own)| right / own),

@@ -67,8 +67,7 @@ pub(crate) fn follow<'m>(
 
 /// Whether the marking explains a response otherwise: it is a named mistake, or the key up to a slip.
 fn is_explained(first: &Marking) -> bool {
-    let reasons = first.reasons();
-    reasons.iter().any(|reason| {
+    first.reasons().iter().any(|reason| {
         matches!(
             reason,
             Reason::Mistake(_) | Reason::Sign | Reason::TwoPi | Reason::PowerOfTen

@@ -119,9 +119,10 @@ impl TakenNumber {
     ) -> Option<Self> {
         let evaluation = solution.evaluation();
         let single = Sdof::of_letter(name.as_str())?;
-        let is_it =
-            |own: &&KnownNumber| own.coordinate == target.coordinate && own.single == single;
-        let Some(quantity) = known.iter().find(is_it) else {
+        let Some(quantity) = known
+            .iter()
+            .find(|own| own.coordinate == target.coordinate && own.single == single)
+        else {
             let formula = oscillator::right(solution.template(), &target.coordinate, single)?;
             let number = answers::number(&formula, evaluation)?;
             return Some(Self {

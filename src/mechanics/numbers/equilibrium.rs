@@ -141,10 +141,9 @@ fn check_rest(numbers: &Numbers, position: &Value) -> Result<(), Unavailable> {
     let size = at.len();
     for (row, name) in numbers.model.coordinates().iter().enumerate() {
         let slopes = &slopes.numbers()[row * size..][..size];
-        let terms = slopes
+        let rounding: f64 = slopes
             .iter()
-            .zip(position.numbers().iter().zip(position.bounds()));
-        let rounding: f64 = terms
+            .zip(position.numbers().iter().zip(position.bounds()))
             .map(|(slope, (at, bound))| slope.abs() * (bound + 4.0 * f64::EPSILON * at.abs()))
             .sum();
         // Bounds add up the worst of each rounding, but the position was rounded to `f64` besides.

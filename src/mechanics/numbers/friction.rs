@@ -98,15 +98,14 @@ fn friction_motion(numbers: &Numbers) -> Result<FrictionMotion, Unavailable> {
     let forces = friction_forces(numbers)?;
     let matrices = numbers.matrices()?;
     let on_paper = |number: f64| ExactNumber::on_paper(number).ok_or(Unavailable::Endless);
-    let entry = |value: &Value| on_paper(value.numbers()[0]);
     let friction = DryFriction::of_forces(
         on_paper(forces.numbers()[0])?,
         on_paper(forces.numbers()[1])?,
     );
     let oscillator = FrictionOscillator::new(
-        entry(&matrices.mass)?,
-        entry(&matrices.damping)?,
-        entry(&matrices.stiffness)?,
+        on_paper(matrices.mass.numbers()[0])?,
+        on_paper(matrices.damping.numbers()[0])?,
+        on_paper(matrices.stiffness.numbers()[0])?,
         friction,
     )?;
     let oscillator = oscillator.with_force(on_paper(constant_force(numbers)?)?)?;

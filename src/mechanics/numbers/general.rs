@@ -95,16 +95,14 @@ impl ModeCourse {
     fn written(&self, index: &str) -> Expr {
         let a = || Expr::name(format!("A{index}").as_str());
         let b = || Expr::name(format!("B{index}").as_str());
-        let time = || Expr::name("t");
         let decaying = |rate: f64| Expr::call(Function::Exp, [timed(-rate)]);
         match self {
-            Self::Rigid => a() + b() * time(),
-            Self::Critical { decay } => (a() + b() * time()) * decaying(*decay),
+            Self::Rigid => a() + b() * Expr::name("t"),
+            Self::Critical { decay } => (a() + b() * Expr::name("t")) * decaying(*decay),
             Self::Creeping { rates } => a() * decaying(-rates[0]) + b() * decaying(-rates[1]),
             Self::Oscillating { decay, frequency } => {
-                let angle = || timed(*frequency);
-                let swing = a() * Expr::call(Function::Cos, [angle()])
-                    + b() * Expr::call(Function::Sin, [angle()]);
+                let swing = a() * Expr::call(Function::Cos, [timed(*frequency)])
+                    + b() * Expr::call(Function::Sin, [timed(*frequency)]);
                 if *decay == 0.0 {
                     swing
                 } else {

@@ -25,11 +25,10 @@ struct Seeded<'a> {
 
 impl Inputs<HyperDual> for Seeded<'_> {
     fn input(&self, slot: u32) -> Result<HyperDual, Undefined> {
-        let part = |own: u32| f64::from(u8::from(own == slot));
         Ok(HyperDual {
             value: self.data.precise(slot)?.high(),
-            first: part(self.first),
-            second: part(self.second),
+            first: f64::from(u8::from(self.first == slot)),
+            second: f64::from(u8::from(self.second == slot)),
             both: 0.0,
         })
     }

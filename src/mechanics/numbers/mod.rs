@@ -93,14 +93,13 @@ impl Numbers {
             return Err(Unavailable::SeveralCoordinates);
         }
         let matrices = self.matrices()?;
-        let only = |value: &Value| value.numbers()[0];
-        if only(&matrices.stiffness) <= 0.0 {
+        if matrices.stiffness.numbers()[0] <= 0.0 {
             return Err(Unavailable::Unstable);
         }
         Ok(Oscillator::new(
-            only(&matrices.mass),
-            only(&matrices.damping),
-            only(&matrices.stiffness),
+            matrices.mass.numbers()[0],
+            matrices.damping.numbers()[0],
+            matrices.stiffness.numbers()[0],
         )?)
     }
 

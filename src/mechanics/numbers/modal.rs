@@ -99,13 +99,12 @@ impl Response {
 /// [`Unavailable::Unstable`] if one does not exist, and those of [`Numbers::modes`].
 pub(crate) fn natural_angular_frequencies(numbers: &Numbers) -> Result<Value, Unavailable> {
     let modes = numbers.modes()?;
-    let frequency = |mode| {
-        modes
-            .natural_angular_frequency(mode)
-            .ok_or(Unavailable::Unstable)
-    };
     let frequencies: Vec<_> = (0..modes.count())
-        .map(frequency)
+        .map(|mode| {
+            modes
+                .natural_angular_frequency(mode)
+                .ok_or(Unavailable::Unstable)
+        })
         .collect::<Result<_, _>>()?;
     vector(frequencies)
 }
@@ -116,8 +115,7 @@ pub(crate) fn natural_angular_frequencies(numbers: &Numbers) -> Result<Value, Un
 ///
 /// Those of [`Numbers::modes`].
 pub(crate) fn multiplicities(numbers: &Numbers) -> Result<Value, Unavailable> {
-    let modes = numbers.modes()?;
-    let clusters = modes.clusters(SAME_FREQUENCY);
+    let clusters = numbers.modes()?.clusters(SAME_FREQUENCY);
     let counts = clusters
         .into_iter()
         .flat_map(|own| vec![own.len() as f64; own.len()]);
@@ -145,16 +143,19 @@ pub(crate) fn mode_shapes(numbers: &Numbers) -> Result<Value, Unavailable> {
 /// Those of [`Numbers::modes`].
 pub(crate) fn masses(numbers: &Numbers) -> Result<Value, Unavailable> {
     let modes = numbers.modes()?;
-    let mass = |mode| {
-        let shape = modes.mode_shape(mode);
-        let largest = shape
-            .iter()
-            .fold(0.0, |largest: f64, own| largest.max(own.abs()));
-        // A node that rounding has moved off zero must not become the unit of the shape.
-        let first = shape.iter().find(|own| own.abs() > 1e-12 * largest);
-        first.map_or(f64::NAN, |first| 1.0 / (first * first))
-    };
-    vector((0..modes.count()).map(mass).collect())
+    vector(
+        (0..modes.count())
+            .map(|mode| {
+                let shape = modes.mode_shape(mode);
+                let largest = shape
+                    .iter()
+                    .fold(0.0, |largest: f64, own| largest.max(own.abs()));
+                // A node that rounding has moved off zero must not become the unit of the shape.
+                let first = shape.iter().find(|own| own.abs() > 1e-12 * largest);
+                first.map_or(f64::NAN, |first| 1.0 / (first * first))
+            })
+            .collect(),
+    )
 }
 
 /// The damping ratios of the modes.
@@ -186,19 +187,20 @@ pub(crate) fn damping_ratios(numbers: &Numbers) -> Result<Value, Unavailable> {
 pub(crate) fn amplitudes(numbers: &Numbers) -> Result<Value, Unavailable> {
     let modes = numbers.modes()?;
     let states = modal_start(numbers, modes)?.into_iter().enumerate();
-    let row = |(mode, state): (usize, State)| {
-        let frequency = modes
-            .natural_angular_frequency(mode)
-            .ok_or(Unavailable::Unstable)?;
-        // A rigid motion has a velocity in place of the factor of the sine.
-        let sine = if frequency == 0.0 {
-            state.velocity
-        } else {
-            state.velocity / frequency
-        };
-        Ok([state.position, sine])
-    };
-    let rows: Vec<[f64; 2]> = states.map(row).collect::<Result<_, Unavailable>>()?;
+    let rows: Vec<[f64; 2]> = states
+        .map(|(mode, state)| {
+            let frequency = modes
+                .natural_angular_frequency(mode)
+                .ok_or(Unavailable::Unstable)?;
+            // A rigid motion has a velocity in place of the factor of the sine.
+            let sine = if frequency == 0.0 {
+                state.velocity
+            } else {
+                state.velocity / frequency
+            };
+            Ok([state.position, sine])
+        })
+        .collect::<Result<_, Unavailable>>()?;
     matrix(2, rows.into_flattened())
 }
 

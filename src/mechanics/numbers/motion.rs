@@ -134,10 +134,9 @@ impl Motion {
         if drives.is_empty() {
             return Err(Unavailable::NoForce);
         }
-        let amplitude = |drive| Ok((drive, steady::amplitudes(numbers, drive)?[coordinate]));
         let harmonics = drives
             .iter()
-            .map(amplitude)
+            .map(|drive| Ok((drive, steady::amplitudes(numbers, drive)?[coordinate])))
             .collect::<Result<Vec<_>, Unavailable>>()?;
         let harmonics = harmonics
             .into_iter()

@@ -95,17 +95,19 @@ fn of_oscillator(numbers: &Numbers, quantity: Sdof) -> Result<f64, Unavailable> 
 
 /// A result whose relative error is that of the coefficients and a few roundings.
 pub(crate) fn with_relative_bound(numbers: &Numbers, number: f64) -> Value {
-    let relative = |value: &Value| {
-        let pairs = value.numbers().iter().zip(value.bounds());
-        let errors = pairs.filter(|(number, _)| **number != 0.0);
-        errors.fold(0.0, |worst: f64, (number, bound)| {
-            worst.max(bound / number.abs())
-        })
-    };
     let relative = numbers.matrices().map_or(0.0, |all| {
-        relative(&all.mass) + relative(&all.damping) + relative(&all.stiffness)
+        relative_error(&all.mass) + relative_error(&all.damping) + relative_error(&all.stiffness)
     });
     Value::real(number, (relative + 8.0 * f64::EPSILON) * number.abs())
+}
+
+/// The largest relative error of some numbers.
+fn relative_error(value: &Value) -> f64 {
+    let pairs = value.numbers().iter().zip(value.bounds());
+    let errors = pairs.filter(|(number, _)| **number != 0.0);
+    errors.fold(0.0, |worst: f64, (number, bound)| {
+        worst.max(bound / number.abs())
+    })
 }
 
 /// The only entry of a matrix of one row.

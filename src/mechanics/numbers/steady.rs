@@ -35,8 +35,7 @@ pub(crate) fn complex_amplitude_value(
         shape: Shape::Scalar,
     };
     let bound = 16.0 * f64::EPSILON * amplitude.abs();
-    let value = Value::new(form, vec![amplitude.re, amplitude.im], vec![bound; 2]);
-    value.ok_or(Unavailable::Singular)
+    Value::new(form, vec![amplitude.re, amplitude.im], vec![bound; 2]).ok_or(Unavailable::Singular)
 }
 
 /// The solution of `(K − Ω² M + iΩ C) X = F`.

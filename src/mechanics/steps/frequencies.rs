@@ -82,10 +82,12 @@ fn stiffness_less_inertia(deriver: &Deriver<'_>, frequency: &Name) -> Result<Mat
     let linear = deriver.model.linear().ok_or(Unavailable::NoFormula)?;
     let square = Normal::of(&Expr::name(frequency.clone()).squared())?.negated();
     let rows = linear.stiffness.iter().zip(&linear.mass);
-    let row = |(stiffness, mass): (&Vec<Normal>, &Vec<Normal>)| {
-        let entries = stiffness.iter().zip(mass);
-        let entry = |(stiffness, mass): (&Normal, &Normal)| stiffness.plus(&mass.times(&square)?);
-        entries.map(entry).collect::<Result<Vec<_>, _>>()
-    };
-    Ok(rows.map(row).collect::<Result<_, _>>()?)
+    Ok(rows
+        .map(|(stiffness, mass)| {
+            let entries = stiffness.iter().zip(mass);
+            entries
+                .map(|(stiffness, mass)| stiffness.plus(&mass.times(&square)?))
+                .collect::<Result<Vec<_>, _>>()
+        })
+        .collect::<Result<_, _>>()?)
 }

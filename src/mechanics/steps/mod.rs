@@ -188,13 +188,12 @@ impl<'m> Deriver<'m> {
             used.extend(formula.names().free.into_iter().map(|own| own.name));
         }
         let kinematics = self.model.definition.kinematics.iter();
-        let relation = |(name, formula): &(Name, Expr)| {
-            let sides = [Expr::name(name.clone()), self.bracketed(formula)?];
-            Ok(Line::exact(sides.map(LineSide::Formula)))
-        };
         let lines = kinematics.filter(|(name, _)| used.contains(name));
         let lines = lines
-            .map(relation)
+            .map(|(name, formula)| {
+                let sides = [Expr::name(name.clone()), self.bracketed(formula)?];
+                Ok(Line::exact(sides.map(LineSide::Formula)))
+            })
             .collect::<Result<Vec<_>, Unavailable>>()?;
         Ok((!lines.is_empty()).then_some(Step {
             reason: Reason::Kinematics,

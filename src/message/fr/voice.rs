@@ -152,8 +152,7 @@ const SIGNS: &[(&str, &str)] = &[
 ];
 
 fn sign(english: &'static str) -> &'static str {
-    let mut rows = SIGNS.iter();
-    let row = rows.find(|(known, _)| *known == english);
+    let row = SIGNS.iter().find(|(known, _)| *known == english);
     row.map_or(english, |(_, french)| french)
 }
 

@@ -56,9 +56,9 @@ impl Faults<'_> {
 
     /// The working space that a text names.
     fn space(&mut self, text: &Text) -> Option<Space> {
-        let space = Space::read(&text.value);
-        let fault = |error| self.add(&BlueprintError::Space(error, text.span));
-        space.map_err(fault).ok()
+        Space::read(&text.value)
+            .map_err(|error| self.add(&BlueprintError::Space(error, text.span)))
+            .ok()
     }
 
     /// The meaning of a word out of a short list.
@@ -148,8 +148,9 @@ fn marks(table: &Table<'_>, questions: &[Question], faults: &mut Faults<'_>) -> 
 /// How doubts are settled, where that is stated.
 fn doubt(table: &Table<'_>, faults: &mut Faults<'_>) -> Option<Doubt> {
     let ways = [Doubt::Benefit, Doubt::Ask, Doubt::Undecided];
-    let read = || faults.word(table, "doubt", &["benefit", "ask", "undecided"], &ways);
-    table.has("doubt").then(read)
+    table
+        .has("doubt")
+        .then(|| faults.word(table, "doubt", &["benefit", "ask", "undecided"], &ways))
 }
 
 pub(crate) fn blueprint<'s>(

@@ -174,13 +174,6 @@ fn best(table: &Table<'_>) -> Vec<Best> {
     let Some(value) = table.value("best") else {
         return Vec::new();
     };
-    let count = |value: &Value| match &value.data {
-        Data::Number { number } => number
-            .parse()
-            .ok()
-            .filter(|count| (1..=200).contains(count)),
-        _ => None,
-    };
     let wrong = |value: &Value| {
         table.wrong(
             "best",
@@ -189,7 +182,7 @@ fn best(table: &Table<'_>) -> Vec<Best> {
         )
     };
     let of = |section: &str, value: &Value| {
-        let count = count(value).or_else(|| wrong(value))?;
+        let count = count_of(value).or_else(|| wrong(value))?;
         Some(Best {
             section: section.to_owned(),
             count,
@@ -201,6 +194,17 @@ fn best(table: &Table<'_>) -> Vec<Best> {
             .filter_map(|entry| of(&entry.key, &entry.value))
             .collect(),
         _ => of("", value).into_iter().collect(),
+    }
+}
+
+/// How many questions count, if it may be so many.
+fn count_of(value: &Value) -> Option<usize> {
+    match &value.data {
+        Data::Number { number } => number
+            .parse()
+            .ok()
+            .filter(|count| (1..=200).contains(count)),
+        _ => None,
     }
 }
 

@@ -215,7 +215,6 @@ fn rounded_sign(terms: &[&[ExactNumber]]) -> Option<Ordering> {
     const RESOLUTION: f64 = 1e-26;
     const SAFE: std::ops::Range<f64> = 1e-250..1e290;
     let (mut sum, mut size) = (Dd::ZERO, 0.0);
-    let is_safe = |number: Dd| SAFE.contains(&number.hi().abs());
     for factors in terms {
         // A zero is below the range that is safe, and would send the sum to long arithmetic for nothing.
         if factors.iter().any(|factor| factor.is_zero()) {
@@ -224,7 +223,7 @@ fn rounded_sign(terms: &[&[ExactNumber]]) -> Option<Ordering> {
         let mut product = Dd::ONE;
         for factor in *factors {
             product *= factor.rounded;
-            if !is_safe(factor.rounded) || !is_safe(product) {
+            if !SAFE.contains(&factor.rounded.hi().abs()) || !SAFE.contains(&product.hi().abs()) {
                 return None;
             }
         }

@@ -62,9 +62,6 @@ impl Add for &Natural {
     #[expect(clippy::suspicious_arithmetic_impl, reason = "carries are shifted out")]
     fn add(self, other: Self) -> Natural {
         let length = self.digits.len().max(other.digits.len()) + 1;
-        let digit = |number: &Natural, at: usize| {
-            number.digits.get(at).map_or(0, |digit| u64::from(*digit))
-        };
         let mut carry = 0;
         let digits = (0..length).map(|at| {
             carry += digit(self, at) + digit(other, at);
@@ -74,6 +71,11 @@ impl Add for &Natural {
         });
         Natural::without_leading_zeros(digits.collect())
     }
+}
+
+/// A digit of a number, zero above its last.
+fn digit(number: &Natural, at: usize) -> u64 {
+    number.digits.get(at).map_or(0, |digit| u64::from(*digit))
 }
 
 impl Mul for &Natural {

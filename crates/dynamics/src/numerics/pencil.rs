@@ -52,17 +52,19 @@ pub fn pencil(mass: &[f64], stiffness: &[f64]) -> Option<Vec<EigenPair>> {
     if values.windows(2).any(|pair| is_rounding(pair[1] - pair[0])) {
         return None;
     }
-    let pair = |value: f64| {
-        let parts = (&stiffness - &mass * value).svd_unordered(false, true);
-        let vector = parts
-            .v_t?
-            .row(parts.singular_values.imin())
-            .iter()
-            .copied()
-            .collect();
-        Some(EigenPair { value, vector })
-    };
-    values.into_iter().map(pair).collect()
+    values
+        .into_iter()
+        .map(|value| {
+            let parts = (&stiffness - &mass * value).svd_unordered(false, true);
+            let vector = parts
+                .v_t?
+                .row(parts.singular_values.imin())
+                .iter()
+                .copied()
+                .collect();
+            Some(EigenPair { value, vector })
+        })
+        .collect()
 }
 
 #[cfg(test)]

@@ -232,11 +232,10 @@ struct Twisted {
 
 impl Twisted {
     fn new(size: usize) -> Self {
-        let empty = || vec![[0.0; LANES]; size];
         Self {
-            down: empty(),
-            up: empty(),
-            rest: empty(),
+            down: vec![[0.0; LANES]; size],
+            up: vec![[0.0; LANES]; size],
+            rest: vec![[0.0; LANES]; size],
             row: [0; LANES],
             pivot: [0.0; LANES],
         }

@@ -416,12 +416,11 @@ impl Expr {
         change: &mut dyn FnMut(&Self) -> Result<Self, E>,
     ) -> Result<Self, E> {
         let mut unchanged = true;
-        let mut apply = |child: &Self| {
+        let kind = self.kind().try_map_children(&mut |child| {
             let changed = change(child)?;
             unchanged &= changed.is_same(child);
             Ok(changed)
-        };
-        let kind = self.kind().try_map_children(&mut apply)?;
+        })?;
         Ok(if unchanged {
             self.clone()
         } else {

@@ -44,13 +44,6 @@ impl Conversion {
         if found != expected {
             return Err(mismatch);
         }
-        let cycles = |angle| {
-            if let Angle::Cycles(power) = angle {
-                power
-            } else {
-                Rational::ZERO
-            }
-        };
         let turns = match (written.angle(), declared.angle()) {
             (Angle::Bare, _) | (_, Angle::Bare) => Rational::ZERO,
             (written, declared) => cycles(written)
@@ -87,5 +80,14 @@ impl Conversion {
     /// The SI value of a decimal as the sum of two numbers, exact to at least 106 bits.
     pub fn apply_pair(&self, value: &Decimal) -> (f64, f64) {
         value.scaled_pair(self.scale)
+    }
+}
+
+/// The power of a cycle in a unit.
+fn cycles(angle: Angle) -> Rational {
+    if let Angle::Cycles(power) = angle {
+        power
+    } else {
+        Rational::ZERO
     }
 }

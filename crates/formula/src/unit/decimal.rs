@@ -466,35 +466,33 @@ fn digits_at(digits: u128, own: i32, wanted: i32) -> Option<u128> {
 
 impl Ord for Decimal {
     fn cmp(&self, other: &Self) -> Ordering {
-        let sign = |number: &Self| {
-            if number.is_zero() {
-                0
-            } else {
-                1 - 2 * i8::from(number.is_negative())
-            }
-        };
         let by_sign = sign(self).cmp(&sign(other));
         if by_sign.is_ne() || self.is_zero() {
             return by_sign;
         }
         // Of equal magnitude, so the shorter one can be brought to the length of the longer.
         let exponent = self.exponent().min(other.exponent());
-        let by_digits = || {
+        let by_size = self.magnitude().cmp(&other.magnitude()).then_with(|| {
             digits_at(self.digits(), self.exponent(), exponent).cmp(&digits_at(
                 other.digits(),
                 other.exponent(),
                 exponent,
             ))
-        };
-        let by_size = self
-            .magnitude()
-            .cmp(&other.magnitude())
-            .then_with(by_digits);
+        });
         if self.is_negative() {
             by_size.reverse()
         } else {
             by_size
         }
+    }
+}
+
+/// 1, 0 or −1.
+fn sign(number: &Decimal) -> i8 {
+    if number.is_zero() {
+        0
+    } else {
+        1 - 2 * i8::from(number.is_negative())
     }
 }
 

@@ -114,10 +114,9 @@ impl Grid {
     /// assert_eq!(grid.place(decimal("1.35")), None);
     /// ```
     pub fn place(&self, value: Decimal) -> Option<u64> {
-        let above = value
+        value
             .checked_sub(self.lo)
-            .filter(|above| !above.is_negative())?;
-        above
+            .filter(|above| !above.is_negative())?
             .whole_ratio(self.step)
             .filter(|&place| place <= self.last)
     }

@@ -411,8 +411,9 @@ impl<'a> UnitReader<'a> {
         } else if let Some(power) = ahead.superscript() {
             Some(power)
         } else if begins_exponent(ahead.rest()) && !self.builder.ends_with_sign() {
-            let few = |power: &Rational| power.abs().is_integer() && power.abs().numerator() <= 4;
-            let power = ahead.exponent(true).filter(few);
+            let power = ahead
+                .exponent(true)
+                .filter(|power| power.abs().is_integer() && power.abs().numerator() <= 4);
             // `10 mm-5 mm` goes on after the unit.
             let is_number = power.is_none() || ahead.rest().trim_start().starts_with(is_letter);
             if self.is_front && self.depth == 0 && behind.rest().starts_with('-') && is_number {
@@ -428,10 +429,11 @@ impl<'a> UnitReader<'a> {
             }
         };
         self.scanner = ahead;
-        let error = || Error::new(ErrorKind::NotAnExponent, place..ahead.at());
         self.raise(
             start,
-            power.filter(|power| !power.is_zero()).ok_or_else(error)?,
+            power
+                .filter(|power| !power.is_zero())
+                .ok_or_else(|| Error::new(ErrorKind::NotAnExponent, place..ahead.at()))?,
         )
     }
 

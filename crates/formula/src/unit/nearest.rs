@@ -22,10 +22,9 @@ pub(crate) fn nearest(name: &str) -> Option<String> {
     if let Some(found) = word(name) {
         return Some(spelled(found));
     }
-    let known = FOREIGN.iter().find(|(names, _)| {
-        let is_it = |own: &str| own.eq_ignore_ascii_case(name);
-        names.split(' ').any(is_it)
-    });
+    let known = FOREIGN
+        .iter()
+        .find(|(names, _)| names.split(' ').any(|own| own.eq_ignore_ascii_case(name)));
     if let Some((_, meant)) = known {
         return Some((*meant).to_owned());
     }

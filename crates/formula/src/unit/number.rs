@@ -283,8 +283,8 @@ fn power_of_ten(scanner: &mut Scanner<'_>) -> Option<i32> {
 fn is_exponent(text: &str) -> bool {
     let unsigned = text.strip_prefix(['-', '−', '–', '+']).unwrap_or(text);
     let rest = unsigned.trim_start_matches(|char: char| char.is_ascii_digit());
-    let goes_on = |char: char| char.is_alphanumeric() || char == '.' || char == ',';
-    rest.len() < unsigned.len() && !rest.starts_with(goes_on)
+    rest.len() < unsigned.len()
+        && !rest.starts_with(|char: char| char.is_alphanumeric() || char == '.' || char == ',')
 }
 
 /// What people put before a power of ten.

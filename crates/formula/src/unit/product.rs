@@ -243,11 +243,10 @@ impl Unit {
         for factor in self.factors() {
             let parts = Self::parse(self.coherent_name(*factor)).unwrap_or(Self::ONE);
             let start = coherent.len();
-            let pushed = parts
+            if parts
                 .factors()
                 .iter()
-                .try_for_each(|part| coherent.push(*part));
-            if pushed
+                .try_for_each(|part| coherent.push(*part))
                 .and_then(|()| coherent.raise(start, factor.power))
                 .is_err()
             {
@@ -284,11 +283,9 @@ impl Unit {
     /// assert_eq!(Unit::parse("m/s").unwrap().angles(), Some(Rational::ZERO));
     /// ```
     pub fn angles(&self) -> Option<Rational> {
-        let turning = self
-            .factors()
+        self.factors()
             .iter()
-            .filter(|factor| factor.row().turning != Turning::None);
-        turning
+            .filter(|factor| factor.row().turning != Turning::None)
             .map(|factor| factor.power)
             .try_fold(Rational::ZERO, Rational::checked_add)
     }
@@ -331,9 +328,11 @@ impl Unit {
     pub fn times(&self, other: &Self) -> Option<Self> {
         let mut merged = Builder::new();
         for &factor in self.factors().iter().chain(other.factors()) {
-            let same =
-                |known: &&mut Factor| (known.row, known.prefix) == (factor.row, factor.prefix);
-            match merged.since(0).iter_mut().find(same) {
+            match merged
+                .since(0)
+                .iter_mut()
+                .find(|known| (known.row, known.prefix) == (factor.row, factor.prefix))
+            {
                 Some(known) => known.power = known.power.checked_add(factor.power)?,
                 None => merged.push(factor).ok()?,
             }

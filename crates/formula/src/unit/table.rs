@@ -271,14 +271,7 @@ pub(crate) fn bare_symbol(text: &str) -> Option<u8> {
 
 /// The unit of a word, `kilonewtons`, in any case.
 pub(crate) fn word(text: &str) -> Option<Found> {
-    let whole = |text: &str, prefixed: bool| {
-        let named = |row: &UnitRow| {
-            (row.prefixes || !prefixed)
-                && row.words.iter().any(|word| word.eq_ignore_ascii_case(text))
-        };
-        ROWS.iter().position(named).map(|row| row as u8)
-    };
-    if let Some(row) = whole(text, false) {
+    if let Some(row) = row_of_word(text, false) {
         return Some(Found { row, prefix: 0 });
     }
     // `msec`, `µsec`.
@@ -287,7 +280,7 @@ pub(crate) fn word(text: &str) -> Option<Found> {
             .iter()
             .find(|prefix| prefix.symbols.contains(&head))
     {
-        return whole("sec", true).map(|row| Found {
+        return row_of_word("sec", true).map(|row| Found {
             row,
             prefix: prefix.power,
         });
@@ -296,11 +289,21 @@ pub(crate) fn word(text: &str) -> Option<Found> {
         let head = text
             .get(..prefix.word.len())
             .filter(|head| head.eq_ignore_ascii_case(prefix.word))?;
-        whole(&text[head.len()..], true).map(|row| Found {
+        row_of_word(&text[head.len()..], true).map(|row| Found {
             row,
             prefix: prefix.power,
         })
     })
+}
+
+/// The row of a unit by its word.
+fn row_of_word(text: &str, prefixed: bool) -> Option<u8> {
+    ROWS.iter()
+        .position(|row| {
+            (row.prefixes || !prefixed)
+                && row.words.iter().any(|word| word.eq_ignore_ascii_case(text))
+        })
+        .map(|row| row as u8)
 }
 
 /// The prefix of a power of ten that is not zero.

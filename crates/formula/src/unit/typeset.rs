@@ -89,22 +89,26 @@ const DEGREE: &str = "°";
 
 /// The symbol of a unit: letters upright, signs as signs.
 fn symbol(factor: &Factor) -> Math {
-    let letters = |text: String| Math::Identifier {
-        text,
-        style: Style::Upright,
-    };
     let print = factor.row().print;
     match print {
         DEGREE | "′" | "″" | "%" => operator(print, Class::Ordinary),
         "g₀" => Math::Script {
-            base: Box::new(letters("g".to_owned())),
+            base: Box::new(upright("g".to_owned())),
             sub: Some(Box::new(Math::Number("0".to_owned()))),
             sup: None,
         },
-        _ => letters(format!(
+        _ => upright(format!(
             "{}{print}",
             factor.prefix().map_or("", |prefix| prefix.print)
         )),
+    }
+}
+
+/// Letters set upright.
+fn upright(text: String) -> Math {
+    Math::Identifier {
+        text,
+        style: Style::Upright,
     }
 }
 

@@ -80,8 +80,6 @@ const DEPTH: usize = 80;
 
 /// How deep the JSON of a tree is.
 fn depth(math: &Math) -> usize {
-    let deepest =
-        |children: &[Option<&Math>]| children.iter().flatten().map(|child| depth(child)).max();
     let below = match math {
         Math::Row(pieces) => return 2 + pieces.iter().map(depth).max().unwrap_or(0),
         Math::Table { rows, .. } => {
@@ -101,6 +99,11 @@ fn depth(math: &Math) -> usize {
         _ => None,
     };
     2 + below.unwrap_or(0)
+}
+
+/// How deep the deepest of some trees is.
+fn deepest(children: &[Option<&Math>]) -> Option<usize> {
+    children.iter().flatten().map(|child| depth(child)).max()
 }
 
 /// The parser's reason, without its drawing of the place.
@@ -346,7 +349,6 @@ impl<'a> Fold<'a> {
         };
         let lower = part(ty != ScriptType::Superscript, self)?;
         let upper = part(ty != ScriptType::Subscript, self)?;
-        let boxed = |mark: Option<Attachment>| mark.map(|mark| Box::new(mark.math));
         if position != ScriptPosition::AboveBelow {
             if is_degree(&base, lower.as_ref(), upper.as_ref()) {
                 return Some(Math::operator("°", Class::Ordinary));
@@ -392,6 +394,11 @@ impl<'a> Fold<'a> {
     }
 }
 
+/// What is attached, by itself.
+fn boxed(mark: Option<Attachment>) -> Option<Box<Math>> {
+    mark.map(|mark| Box::new(mark.math))
+}
+
 /// What stands below or above a base.
 struct Attachment {
     math: Math,
@@ -402,20 +409,17 @@ struct Attachment {
 /// `{}^\circ`, the degree sign of LaTeX.
 fn is_degree(base: &Math, lower: Option<&Attachment>, upper: Option<&Attachment>) -> bool {
     let is_blank = matches!(base, Math::Row(pieces) if pieces.is_empty());
-    let is_ring =
-        |mark: &Attachment| matches!(&mark.math, Math::Operator { text, .. } if text == "∘");
-    is_blank && lower.is_none() && upper.is_some_and(is_ring)
+    is_blank && lower.is_none() && upper.is_some_and(|mark| mark.math.is_sign("∘"))
 }
 
 /// What stands below joined with what stands above: LaTeX writes one around the other.
 fn stack(base: Math, under: Option<Box<Math>>, over: Option<Box<Math>>) -> Math {
-    let is_brace = |mark: &Math| matches!(mark, Math::Operator { text, .. } if matches!(text.as_str(), "⏟" | "⏞"));
     match base {
         Math::Stack {
             base,
             under: None,
             over: Some(own),
-        } if over.is_none() && !is_brace(&own) && !under.as_deref().is_some_and(is_brace) => {
+        } if over.is_none() && !own.is_brace() && !under.as_deref().is_some_and(Math::is_brace) => {
             Math::Stack {
                 base,
                 under,
@@ -426,7 +430,7 @@ fn stack(base: Math, under: Option<Box<Math>>, over: Option<Box<Math>>) -> Math 
             base,
             under: Some(own),
             over: None,
-        } if under.is_none() && !is_brace(&own) && !over.as_deref().is_some_and(is_brace) => {
+        } if under.is_none() && !own.is_brace() && !over.as_deref().is_some_and(Math::is_brace) => {
             Math::Stack {
                 base,
                 under: Some(own),

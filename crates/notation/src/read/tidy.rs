@@ -106,14 +106,6 @@ fn prime(last: &mut Math, piece: Math) -> Option<Math> {
         Math::Script { base, sub, sup } if is_prime(&base) => (*base, sub, sup),
         piece => return Some(piece),
     };
-    let again = |mark: Math, sub: Option<Box<Math>>, sup: Option<Box<Math>>| match (&sub, &sup) {
-        (None, None) => Some(mark),
-        _ => Some(Math::Script {
-            base: Box::new(mark),
-            sub,
-            sup,
-        }),
-    };
     let (has_sub, can_bear) = match last {
         Math::Script { sub, sup, .. } => (
             sub.is_some(),
@@ -146,6 +138,18 @@ fn prime(last: &mut Math, piece: Math) -> Option<Math> {
         })),
     };
     None
+}
+
+/// A mark with the scripts that are left to it.
+fn again(mark: Math, sub: Option<Box<Math>>, sup: Option<Box<Math>>) -> Option<Math> {
+    match (&sub, &sup) {
+        (None, None) => Some(mark),
+        _ => Some(Math::Script {
+            base: Box::new(mark),
+            sub,
+            sup,
+        }),
+    }
 }
 
 fn is_prime(math: &Math) -> bool {

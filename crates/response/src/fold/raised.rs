@@ -52,7 +52,11 @@ impl Folder<'_> {
         let (mut plain, mut length, mut is_more) = (String::new(), 0, false);
         while let Some(char) = rest[length..].chars().next() {
             let behind = rest[length + char.len_utf8()..].chars().next();
-            let is_within = || behind.and_then(lowered).is_some_and(|next| next.is_ascii_digit());
+            let is_within = || {
+                behind
+                    .and_then(lowered)
+                    .is_some_and(|next| next.is_ascii_digit())
+            };
             match lowered(char) {
                 Some(own) => {
                     is_more |= !(own.is_ascii_digit() || own == '-');

@@ -151,9 +151,8 @@ impl Finding {
     /// Sorts findings by file and place, for reports.
     pub fn sort(findings: &mut [Self]) {
         findings.sort_by(|a, b| {
-            let key = |f: &Self| (Arc::clone(&f.source.path), f.offset());
-            key(a)
-                .cmp(&key(b))
+            (Arc::clone(&a.source.path), a.offset())
+                .cmp(&(Arc::clone(&b.source.path), b.offset()))
                 .then(b.severity.cmp(&a.severity))
                 .then_with(|| a.message.cmp(&b.message))
         });

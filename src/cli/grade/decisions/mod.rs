@@ -223,16 +223,15 @@ impl Decisions {
 
     fn settling(&self, place: &Place, alike: &AlikeAnswers) -> Option<usize> {
         let own = self.places.get(place);
-        let found = own
-            .or_else(|| self.parts.get(&subject(place, alike)))
+        own.or_else(|| self.parts.get(&subject(place, alike)))
             .or_else(|| self.alike.get(alike))
             .or_else(|| {
                 named(place, alike)
                     .iter()
                     .find_map(|name| self.items.get(name))
             })
-            .or_else(|| self.places.get(&everywhere(place)));
-        found.copied()
+            .or_else(|| self.places.get(&everywhere(place)))
+            .copied()
     }
 
     /// Refuses a decision for all sheets by the number of a question that is another one on others.

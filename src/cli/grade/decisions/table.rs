@@ -16,7 +16,7 @@ use vibank::seed::Variant;
 use super::{ALL, Decision, Decisions, Effect};
 use crate::cli::grade::outcome::fraction;
 use crate::cli::grade::undecided::AlikeAnswers;
-use crate::cli::table::{Table, TableRow};
+use crate::cli::table::Table;
 use crate::cli::{Failure, responses};
 
 /// What a row settles, as it stands there.
@@ -49,9 +49,7 @@ pub(crate) fn read(decisions: &mut Decisions, path: &Path) -> Result<Vec<String>
     let words = ["item", "id", "given"].map(column);
     let [who, why] = ["who", "reason"].map(column);
     let mut faults = Vec::new();
-    let begins_row =
-        |row: &TableRow<'_>| responses::begins_sheet(row, code) || row.cell(code) == ALL;
-    for row in table.rows(&begins_row) {
+    for row in table.rows(&|row| responses::begins_sheet(row, code) || row.cell(code) == ALL) {
         let row = match row {
             Ok(row) => row,
             Err(fault) => {

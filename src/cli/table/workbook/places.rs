@@ -30,8 +30,9 @@ pub(crate) fn misleading(file: &[u8]) -> Option<Misleading> {
     if !is_utf8(file.trim_ascii_start()) {
         return Some(Misleading::Encoding);
     }
-    let holds = |name: &&[u8]| file.windows(name.len()).any(|window| window == *name);
-    let is_sheet = SHEET.iter().any(holds);
+    let is_sheet = SHEET
+        .iter()
+        .any(|name| file.windows(name.len()).any(|window| window == *name));
     if is_sheet && file.contains(&0) {
         return Some(Misleading::Encoding);
     }
@@ -47,7 +48,6 @@ pub(crate) fn misleading(file: &[u8]) -> Option<Misleading> {
 /// The file is read by the same reader of XML, set up as `calamine` does it: one of our own would be led to see tags where
 /// that one sees values.
 fn misplaced(file: &[u8]) -> Option<Misleading> {
-    let broken = |error: &dyn std::fmt::Display| Misleading::Broken(error.to_string());
     let mut reader = Reader::from_reader(file);
     let config = reader.config_mut();
     config.check_end_names = false;
@@ -60,12 +60,12 @@ fn misplaced(file: &[u8]) -> Option<Misleading> {
             Ok(Event::Start(tag)) => tag,
             Ok(Event::Eof) => return None,
             Ok(_) => continue,
-            Err(error) => return Some(broken(&error)),
+            Err(error) => return Some(Misleading::Broken(error.to_string())),
         };
         for attribute in tag.attributes() {
             let attribute = match attribute {
                 Ok(attribute) => attribute,
-                Err(error) => return Some(broken(&error)),
+                Err(error) => return Some(Misleading::Broken(error.to_string())),
             };
             let is_place = matches!(attribute.key.as_ref(), "r" | "ref");
             if is_place && !is_sound(attribute.value.as_bytes()) {

@@ -27,8 +27,8 @@ const MAX_TEXT: usize = 64 << 20;
 /// The first visible sheet with something in it, or what is wrong.
 pub(crate) fn sheet(bytes: &[u8]) -> Result<WorkbookSheet, String> {
     check_size(bytes)?;
-    let broken = |error: XlsxError| format!("a workbook that cannot be read: {error}");
-    let mut book = Xlsx::new(Cursor::new(bytes)).map_err(broken)?;
+    let mut book = Xlsx::new(Cursor::new(bytes))
+        .map_err(|error| format!("a workbook that cannot be read: {error}"))?;
     let sheets = book.sheets_metadata().iter();
     let names: Vec<String> = sheets
         .filter(|sheet| sheet.typ == SheetType::WorkSheet && sheet.visible == SheetVisible::Visible)
@@ -51,20 +51,24 @@ pub(crate) fn sheet(bytes: &[u8]) -> Result<WorkbookSheet, String> {
     Ok(filled.map(|(_, sheet)| sheet).unwrap_or_default())
 }
 
+/// What is said of an archive.
+fn broken(error: impl std::fmt::Display) -> String {
+    format!("an archive that cannot be read: {error}")
+}
+
 /// Unpacks all files once, and looks the sheets over: what an archive says about sizes need not be true.
 fn check_size(bytes: &[u8]) -> Result<(), String> {
-    let broken = |error: &dyn std::fmt::Display| format!("an archive that cannot be read: {error}");
-    let mut archive = ZipArchive::new(Cursor::new(bytes)).map_err(|error| broken(&error))?;
+    let mut archive = ZipArchive::new(Cursor::new(bytes)).map_err(broken)?;
     if archive.index_for_name("xl/workbook.xml").is_none() {
         return Err("an archive, and no workbook of Excel (.xlsx)".to_owned());
     }
     let mut left = MAX_UNPACKED;
     for place in 0..archive.len() {
-        let file = archive.by_index(place).map_err(|error| broken(&error))?;
-        let name = file.name().map_err(|error| broken(&error))?.into_owned();
+        let file = archive.by_index(place).map_err(broken)?;
+        let name = file.name().map_err(broken)?.into_owned();
         let mut content = Vec::new();
         let read = file.take(left + 1).read_to_end(&mut content);
-        let read = read.map_err(|error| broken(&error))? as u64;
+        let read = read.map_err(broken)? as u64;
         left = left.checked_sub(read).ok_or_else(|| {
             format!(
                 "a workbook of more than {} MiB, unpacked",
@@ -118,13 +122,12 @@ fn cells(book: &mut Xlsx<Cursor<&[u8]>>, name: &str) -> Result<WorkbookSheet, St
 
 /// What a cell shows, and what has become of it.
 fn written(value: &DataRef<'_>) -> (String, Option<Spoilt>) {
-    let trimmed = |text: &str| composed(text.trim().to_owned());
     match value {
         DataRef::Empty => (String::new(), None),
         DataRef::Int(number) => (number.to_string(), None),
         DataRef::Float(number) => (number.to_string(), None),
-        DataRef::String(text) => (trimmed(text), None),
-        DataRef::SharedString(text) => (trimmed(text), None),
+        DataRef::String(text) => (composed(text.trim().to_owned()), None),
+        DataRef::SharedString(text) => (composed(text.trim().to_owned()), None),
         DataRef::Bool(is_true) => (is_true.to_string().to_uppercase(), None),
         DataRef::DateTime(date) if date.is_datetime() => {
             let (year, month, day, ..) = date.to_ymd_hms_milli();
@@ -132,7 +135,7 @@ fn written(value: &DataRef<'_>) -> (String, Option<Spoilt>) {
         }
         DataRef::DateTime(time) => (time.as_f64().to_string(), Some(Spoilt::Date)),
         DataRef::DateTimeIso(text) | DataRef::DurationIso(text) => {
-            (trimmed(text), Some(Spoilt::Date))
+            (composed(text.trim().to_owned()), Some(Spoilt::Date))
         }
         DataRef::Error(error) => (error.to_string(), Some(Spoilt::Formula)),
     }

@@ -75,14 +75,15 @@ impl PeriodicForce {
 
     /// A force without mean and cosines, from the factors of its sines.
     fn of_sines(angular_frequency: f64, harmonics: usize, factor: impl Fn(usize) -> f64) -> Self {
-        let harmonic = |n| Harmonic {
-            cosine: 0.0,
-            sine: factor(n),
-        };
         Self {
             mean: 0.0,
             angular_frequency,
-            harmonics: (1..=harmonics).map(harmonic).collect(),
+            harmonics: (1..=harmonics)
+                .map(|n| Harmonic {
+                    cosine: 0.0,
+                    sine: factor(n),
+                })
+                .collect(),
         }
     }
 

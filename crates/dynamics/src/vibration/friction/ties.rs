@@ -65,11 +65,9 @@ struct Sum(Vec<Vec<ExactNumber>>);
 impl Sum {
     /// The products of its square, each times a factor.
     fn squared(&self, factor: ExactNumber) -> Vec<Vec<ExactNumber>> {
-        let pairs = self
-            .0
+        self.0
             .iter()
-            .flat_map(|left| self.0.iter().map(move |right| (left, right)));
-        pairs
+            .flat_map(|left| self.0.iter().map(move |right| (left, right)))
             .map(|(left, right)| [&[factor], left.as_slice(), right].concat())
             .collect()
     }

@@ -76,18 +76,20 @@ fn rigid_motions(masses: &[f64], springs: &[Link]) -> Vec<Vec<f64>> {
 /// For each node, the ground first, the first node of the connected part it belongs to.
 fn parts(nodes: usize, springs: &[Link]) -> Vec<usize> {
     let mut parent: Vec<usize> = (0..=nodes).collect();
-    let root = |parent: &[usize], mut node: usize| {
-        while parent[node] != node {
-            node = parent[node];
-        }
-        node
-    };
     for spring in springs.iter().filter(|spring| spring.coefficient != 0.0) {
         let [first, second] = spring.ends.map(|node| root(&parent, node));
         // The smaller node is the root: so all that is tied to the ground has the ground, node 0, for it.
         parent[first.max(second)] = first.min(second);
     }
     (0..=nodes).map(|node| root(&parent, node)).collect()
+}
+
+/// The root of the tree in which a node stands.
+fn root(parent: &[usize], mut node: usize) -> usize {
+    while parent[node] != node {
+        node = parent[node];
+    }
+    node
 }
 
 /// The elongations of all springs in all modes, up to a common factor.
@@ -230,8 +232,10 @@ fn take_rayleigh_quotients(masses: &[f64], springs: &[Link], solution: &mut Moda
 
 /// The quotients of systems so small that none of them takes much.
 fn few_quotients(masses: &[f64], springs: &[Link], vectors: &[f64]) -> Vec<f64> {
-    let root = |m: &f64| factor::root_of_ratio(*m, masses[0]);
-    let roots: Vec<f64> = masses.iter().map(root).collect();
+    let roots: Vec<f64> = masses
+        .iter()
+        .map(|m| factor::root_of_ratio(*m, masses[0]))
+        .collect();
     let shapes = vectors.chunks_exact(masses.len());
     shapes
         .map(|weighted| {

@@ -188,8 +188,7 @@ impl Scaled {
             )
         };
         let stiffness = system.exact_stiffness_matrix();
-        let scaled = DMatrix::from_fn(size, size, |i, j| scale(i, j, 0, stiffness[(i, j)]));
-        let largest = scaled
+        let largest = DMatrix::from_fn(size, size, |i, j| scale(i, j, 0, stiffness[(i, j)]))
             .iter()
             .fold(0.0_f64, |largest, x| largest.max(x.hi().abs()));
         if largest == 0.0 || !largest.is_finite() {
@@ -323,6 +322,7 @@ impl Split {
 }
 
 fn transposed(matrix: &[f64], size: usize) -> Vec<f64> {
-    let entry = |at: usize| matrix[at % size * size + at / size];
-    (0..matrix.len()).map(entry).collect()
+    (0..matrix.len())
+        .map(|at| matrix[at % size * size + at / size])
+        .collect()
 }

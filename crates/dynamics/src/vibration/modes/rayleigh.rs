@@ -47,11 +47,10 @@ pub(crate) struct Mode {
 ///
 /// Rigid motions, which are known, are not among the modes; `is_free` says whether there are some.
 pub(crate) fn are_proven(modes: &[Mode], is_free: bool) -> bool {
-    let upper = |mode: &Mode| mode.eigenvalue + mode.residual;
     (0..modes.len()).all(|i| {
         let mode = &modes[i];
         let below = match i.checked_sub(1) {
-            Some(other) => mode.eigenvalue - upper(&modes[other]),
+            Some(other) => mode.eigenvalue - (modes[other].eigenvalue + modes[other].residual),
             None if is_free => mode.eigenvalue,
             None => f64::INFINITY,
         };

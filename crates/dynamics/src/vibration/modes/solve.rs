@@ -24,8 +24,7 @@ pub(crate) fn modes(system: System) -> Result<Modes, ModesError> {
         ),
         _ => matrices::solve(&system)?,
     };
-    let is_finite = |values: &[f64]| values.iter().all(|x| x.is_finite());
-    if !(is_finite(&solution.rates) && is_finite(&solution.vectors)) {
+    if !(are_finite(&solution.rates) && are_finite(&solution.vectors)) {
         return Err(ModesError::OutOfRange);
     }
     let ModalBasis { rates, vectors } = solution;
@@ -37,6 +36,11 @@ pub(crate) fn modes(system: System) -> Result<Modes, ModesError> {
     };
     refine_spread(&mut modes);
     Ok(modes)
+}
+
+/// Whether all values are finite.
+fn are_finite(values: &[f64]) -> bool {
+    values.iter().all(|x| x.is_finite())
 }
 
 /// Takes refined modes for small systems where plain ones would lose digits: frequencies of networks too far apart for

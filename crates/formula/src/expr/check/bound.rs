@@ -23,8 +23,7 @@ pub(crate) fn at(
             _ => all_fit = false,
         }
     }
-    let found = within(checker, bound, inner);
-    found.filter(|_| all_fit)
+    within(checker, bound, inner).filter(|_| all_fit)
 }
 
 /// Whether a value fits the name that is bound to it.

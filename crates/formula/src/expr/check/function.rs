@@ -75,8 +75,7 @@ fn of_pure(checker: &mut TypeChecker<'_>, function: Function, x: &Expr) -> Optio
 }
 
 fn norm(checker: &mut TypeChecker<'_>, vector: &Expr) -> Option<Type> {
-    let found = vector_due(checker, "norm", vector)?;
-    let squares = found
+    let squares = vector_due(checker, "norm", vector)?
         .entries()
         .map(|entry| scaled(&Type::real(entry), entry).dimension())
         .collect::<Vec<_>>();

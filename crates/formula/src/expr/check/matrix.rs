@@ -159,13 +159,14 @@ fn conformable(
     let mut dimensions = Vec::with_capacity(rows * columns);
     for row in 0..rows {
         for column in 0..columns {
-            let term = |k: usize| {
-                times(
-                    left.entry(row * inner + k),
-                    right.entry(k * columns + column),
-                )
-            };
-            let terms = (0..inner).map(term).collect();
+            let terms = (0..inner)
+                .map(|k| {
+                    times(
+                        left.entry(row * inner + k),
+                        right.entry(k * columns + column),
+                    )
+                })
+                .collect();
             dimensions.push(sum(checker, Joint::Terms("*"), terms, span)?);
         }
     }
@@ -273,10 +274,12 @@ fn factored(found: &Type, order: usize) -> Result<AnyDimension, (Dimension, Dime
         }
     }
     // A column without known entries is a column of zeros.
-    let product = |factors: Vec<AnyDimension>| {
-        factors
-            .into_iter()
-            .try_fold(Dimension::PURE, |product, factor| Some(product * factor?))
-    };
-    Ok(times(product(row_factors), product(column_factors)))
+    Ok(times(of_product(row_factors), of_product(column_factors)))
+}
+
+/// The dimension of a product, if all its factors have one.
+fn of_product(factors: Vec<AnyDimension>) -> Option<Dimension> {
+    factors
+        .into_iter()
+        .try_fold(Dimension::PURE, |product, factor| Some(product * factor?))
 }

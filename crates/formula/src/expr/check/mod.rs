@@ -181,8 +181,7 @@ impl<'a> TypeChecker<'a> {
                 span: inner.span(),
             });
         }
-        let found = self.numbers(inner)?;
-        Some(found.map(|dimension| {
+        Some(self.numbers(inner)?.map(|dimension| {
             (0..order).fold(dimension, |dimension, _| dimension / Dimension::TIME)
         }))
     }
@@ -254,8 +253,7 @@ fn scaled(found: &Type, factor: AnyDimension) -> Type {
 
 /// The first two entries whose dimensions differ.
 fn disagreement(a: &Type, b: &Type) -> Option<(Dimension, Dimension)> {
-    let differ = |(a, b): &(AnyDimension, AnyDimension)| !agree(*a, *b);
-    let (a, b) = a.entries().zip(b.entries()).find(differ)?;
+    let (a, b) = a.entries().zip(b.entries()).find(|(a, b)| !agree(*a, *b))?;
     a.zip(b)
 }
 

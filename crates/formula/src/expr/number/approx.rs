@@ -171,8 +171,7 @@ impl<T: Real> Approx<T> {
     }
 
     fn log10(&self) -> Result<Self, Undefined> {
-        let natural = self.ln()?;
-        let inherited = natural.bound / LN_10;
+        let inherited = self.ln()?.bound / LN_10;
         Ok(Self::function(self.value.log10(), inherited))
     }
 

@@ -104,11 +104,10 @@ impl HyperDual {
     /// u^p with a constant exponent.
     fn power_constant(&self, exponent: f64) -> Self {
         let x = self.value;
-        let power = |lower: f64| numerics::pow(x, exponent - lower);
         self.chained(
-            power(0.0),
-            exponent * power(1.0),
-            exponent * (exponent - 1.0) * power(2.0),
+            numerics::pow(x, exponent),
+            exponent * numerics::pow(x, exponent - 1.0),
+            exponent * (exponent - 1.0) * numerics::pow(x, exponent - 2.0),
         )
     }
 }
@@ -243,8 +242,7 @@ impl Scalar for HyperDual {
             Function::Min => Ok(if u <= v { *self } else { *other }),
             Function::Max => Ok(if u >= v { *self } else { *other }),
             Function::Mod => {
-                let quotient = self.divide(other)?;
-                let whole = quotient.unary(Function::Floor, doubt)?;
+                let whole = self.divide(other)?.unary(Function::Floor, doubt)?;
                 Ok(self.subtract(&other.multiply(&whole)))
             }
             Function::Hypot => {

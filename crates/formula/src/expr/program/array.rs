@@ -171,8 +171,8 @@ impl Array {
 
     pub(crate) fn transpose(&self) -> Self {
         let (rows, columns) = self.shape.rows_and_columns();
-        let at = |column: usize, row: usize| self.entries[row * columns + column];
-        let entries = (0..columns).flat_map(|column| (0..rows).map(move |row| at(column, row)));
+        let entries = (0..columns)
+            .flat_map(|column| (0..rows).map(move |row| self.entries[row * columns + column]));
         Self::new(Shape::Matrix(columns, rows), entries.collect())
     }
 

@@ -298,12 +298,14 @@ impl Compiler<'_> {
     }
 
     fn index(&mut self, inner: &Expr, indices: &[Expr]) -> Result<Array> {
-        let whole = |index: &Expr| {
-            let value = index.as_number().filter(|value| value.is_integer());
-            let value = value.and_then(|value| usize::try_from(value.numerator()).ok());
-            value.ok_or(CompileError::Index { span: index.span() })
-        };
-        let indices = indices.iter().map(whole).collect::<Result<Vec<_>>>()?;
+        let indices = indices
+            .iter()
+            .map(|index| {
+                let value = index.as_number().filter(|value| value.is_integer());
+                let value = value.and_then(|value| usize::try_from(value.numerator()).ok());
+                value.ok_or(CompileError::Index { span: index.span() })
+            })
+            .collect::<Result<Vec<_>>>()?;
         self.array(inner)?.component(&indices)
     }
 

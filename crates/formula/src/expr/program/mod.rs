@@ -214,17 +214,13 @@ impl Program {
     /// Whether it computes numbers, step by step: searches and motions are as good as their methods, which more digits do not
     /// change.
     fn is_explicit(&self) -> bool {
-        let is_step = |step: &ProgramStep| {
-            !matches!(
-                step,
-                ProgramStep::Root(_) | ProgramStep::Integral(_) | ProgramStep::Motion(..)
-            )
-        };
         self.form.field != Field::Boolean
-            && self
-                .code
-                .iter()
-                .all(|instruction| is_step(&instruction.step))
+            && self.code.iter().all(|instruction| {
+                !matches!(
+                    instruction.step,
+                    ProgramStep::Root(_) | ProgramStep::Integral(_) | ProgramStep::Motion(..)
+                )
+            })
             && self
                 .constants
                 .iter()
@@ -315,11 +311,12 @@ impl Program {
             let (numbers, bounds) = numbers.unzip();
             Value::new(self.form, numbers, bounds)
         };
-        let is_finite = |value: &Value| value.numbers().iter().all(|number| number.is_finite());
-        value.filter(is_finite).ok_or_else(|| Absence {
-            reason: Undefined::Overflow,
-            span: self.span(),
-        })
+        value
+            .filter(|value| value.numbers().iter().all(|number| number.is_finite()))
+            .ok_or_else(|| Absence {
+                reason: Undefined::Overflow,
+                span: self.span(),
+            })
     }
 
     /// Where the whole formula was written.

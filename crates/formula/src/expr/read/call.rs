@@ -103,14 +103,16 @@ fn count(
 
 /// The values of arguments that may bear no name.
 fn unnamed(arguments: Vec<Argument>) -> Result<Vec<Expr>, ReadError> {
-    let value = |argument: Argument| match argument.name {
-        None => Ok(argument.value),
-        Some(_) => Err(ReadError::NamedArgument {
-            due: false,
-            span: argument.span,
-        }),
-    };
-    arguments.into_iter().map(value).collect()
+    arguments
+        .into_iter()
+        .map(|argument| match argument.name {
+            None => Ok(argument.value),
+            Some(_) => Err(ReadError::NamedArgument {
+                due: false,
+                span: argument.span,
+            }),
+        })
+        .collect()
 }
 
 /// `at(f, x = a, …)`.
@@ -118,16 +120,17 @@ fn at(arguments: Vec<Argument>, span: Span) -> Result<Kind, ReadError> {
     count("at", &arguments, 2, usize::MAX, span)?;
     let mut arguments = arguments.into_iter();
     let body = unnamed(arguments.by_ref().take(1).collect())?.remove(0);
-    let value = |argument: Argument| match argument.name {
-        Some(name) => Ok((name, argument.value)),
-        None => Err(ReadError::NamedArgument {
-            due: true,
-            span: argument.span,
-        }),
-    };
     Ok(Kind::At(
         body,
-        arguments.map(value).collect::<Result<_, _>>()?,
+        arguments
+            .map(|argument| match argument.name {
+                Some(name) => Ok((name, argument.value)),
+                None => Err(ReadError::NamedArgument {
+                    due: true,
+                    span: argument.span,
+                }),
+            })
+            .collect::<Result<_, _>>()?,
     ))
 }
 

@@ -250,12 +250,11 @@ impl<'a> Parser<'a> {
     /// A constant, a path, a call or a name.
     fn word(&mut self) -> Result<Expr, ReadError> {
         let token = self.advance();
-        let constant = |constant| Kind::Constant(constant);
         let kind = match token.text {
-            "pi" => constant(Constant::Pi),
-            "e" => constant(Constant::E),
-            "i" => constant(Constant::ImaginaryUnit),
-            "inf" => constant(Constant::Infinity),
+            "pi" => Kind::Constant(Constant::Pi),
+            "e" => Kind::Constant(Constant::E),
+            "i" => Kind::Constant(Constant::ImaginaryUnit),
+            "inf" => Kind::Constant(Constant::Infinity),
             "model" | "models" => self.path(&token)?,
             "if" => {
                 return Err(unexpected(

@@ -66,18 +66,18 @@ pub(crate) fn of_two_arguments(
             let whole = Expr::call(Function::Floor, [u.clone() / v.clone()]);
             du.clone() - whole * dv.clone()
         }
-        Function::Dot => {
-            let dot = |a: &Expr, b: &Expr| {
-                if a.is_zero() || b.is_zero() {
-                    Expr::number(0)
-                } else {
-                    Expr::call(Function::Dot, [a.clone(), b.clone()])
-                }
-            };
-            dot(du, v) + dot(u, dv)
-        }
+        Function::Dot => dot(du, v) + dot(u, dv),
         _ => return Err(not_differentiable(function.name(), call)),
     })
+}
+
+/// The dot product of two vectors, of which one may be zero.
+fn dot(a: &Expr, b: &Expr) -> Expr {
+    if a.is_zero() || b.is_zero() {
+        Expr::number(0)
+    } else {
+        Expr::call(Function::Dot, [a.clone(), b.clone()])
+    }
 }
 
 pub(crate) fn of_many_arguments(

@@ -140,9 +140,8 @@ impl Substitution {
 
     /// The same inside an operator that binds these names.
     fn without(&self, bound: &[Name], operator: &Expr) -> Result<Self, SymbolicError> {
-        let is_outer = |name: &Name| !bound.contains(name);
-        let names = self.names.iter().filter(|(name, _)| is_outer(name));
-        let moving = self.moving.iter().filter(|name| is_outer(name));
+        let names = self.names.iter().filter(|(name, _)| !bound.contains(name));
+        let moving = self.moving.iter().filter(|name| !bound.contains(name));
         let inner = Self {
             names: gather(names.map(|(name, value)| (name.clone(), Arc::clone(value)))),
             paths: self.paths.clone(),

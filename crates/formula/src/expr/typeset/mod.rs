@@ -17,8 +17,7 @@ pub trait Notation {
 
     /// The symbol of a quantity of a model.
     fn path(&self, path: &Path) -> Symbol {
-        let names = path.names();
-        let last = names.last().map_or("", Name::as_str);
+        let last = path.names().last().map_or("", Name::as_str);
         Symbol::letter(vibank_notation::symbol(last))
     }
 }

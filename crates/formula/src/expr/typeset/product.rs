@@ -82,19 +82,11 @@ fn side_by_side(setter: &Setter<'_>, parts: &[ProductPart]) -> Math {
 
 fn factor(setter: &Setter<'_>, part: &ProductPart, is_first: bool, is_last: bool) -> Factor {
     match part {
-        ProductPart::Quotient(above, below) => {
-            let is_number = |parts: &[ProductPart]| {
-                parts.iter().all(
-                    |part| matches!(part, ProductPart::Factor(own) if own.as_number().is_some()),
-                )
-            };
-            let is_number = is_number(above) && is_number(below);
-            Factor {
-                math: fraction(setter, above, below),
-                begins_with_number: is_number,
-                is_quantity: false,
-            }
-        }
+        ProductPart::Quotient(above, below) => Factor {
+            math: fraction(setter, above, below),
+            begins_with_number: is_number_fraction(part),
+            is_quantity: false,
+        },
         ProductPart::Factor(expr) => plain_factor(setter, expr, is_first, is_last),
     }
 }
@@ -214,8 +206,9 @@ fn hoisted(above: &[ProductPart], below: &[ProductPart]) -> (Vec<ProductPart>, V
     if rest.is_empty() || !is_number_fraction(first) {
         return unchanged();
     }
-    let is_one = |part: &ProductPart| matches!(part, ProductPart::Factor(expr) if expr.is_one());
-    let upper = upper.iter().filter(|part| !is_one(part));
+    let upper = upper
+        .iter()
+        .filter(|part| !matches!(part, ProductPart::Factor(expr) if expr.is_one()));
     (
         upper.chain(rest).cloned().collect(),
         lower.iter().chain(below).cloned().collect(),

@@ -231,10 +231,7 @@ impl Normal {
             .0
             .iter()
             .map(|(monomial, own)| (monomial.clone(), *own))
-            .partition(|(monomial, _)| {
-                let mut factors = monomial.0.iter();
-                factors.any(|(atom, _)| atom.mentions(names))
-            });
+            .partition(|(monomial, _)| monomial.0.iter().any(|(atom, _)| atom.mentions(names)));
         (Self(Polynomial(with)), Self(Polynomial(without)))
     }
 

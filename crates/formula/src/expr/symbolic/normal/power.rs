@@ -131,18 +131,20 @@ fn is_positive(atom: &Atom) -> bool {
 
 /// The greatest fraction that goes into both an integer number of times.
 pub(crate) fn common_divisor(a: Rational, b: Rational) -> Option<Rational> {
-    let gcd = |mut a: i128, mut b: i128| {
-        while b != 0 {
-            (a, b) = (b, a % b);
-        }
-        a
-    };
     let left = a.numerator().checked_mul(b.denominator())?;
     let right = b.numerator().checked_mul(a.denominator())?;
     Rational::new(
         gcd(left, right),
         a.denominator().checked_mul(b.denominator())?,
     )
+}
+
+/// The greatest common divisor.
+fn gcd(mut a: i128, mut b: i128) -> i128 {
+    while b != 0 {
+        (a, b) = (b, a % b);
+    }
+    a
 }
 
 /// A power of a pure number, with roots of primes as bases: `12^(1/2)` is `2*3^(1/2)`.

@@ -152,8 +152,7 @@ impl Monomial {
 
     /// What comparing its atoms may take: each may be looked into down to its end.
     fn depths(&self) -> u64 {
-        let depths = self.0.iter().map(|(atom, _)| u64::from(atom.depth()));
-        depths.sum()
+        self.0.iter().map(|(atom, _)| u64::from(atom.depth())).sum()
     }
 
     /// The exponent of an atom, 0 where it does not stand.
@@ -188,11 +187,10 @@ impl Monomial {
 
     /// The power with a whole exponent.
     pub(crate) fn power(&self, exponent: Rational) -> Result<Self, SymbolicError> {
-        let scale = |own: &Rational| fits(own.checked_mul(exponent));
         let factors = self
             .0
             .iter()
-            .map(|(atom, own)| Ok((atom.clone(), scale(own)?)))
+            .map(|(atom, own)| Ok((atom.clone(), fits(own.checked_mul(exponent))?)))
             .collect::<Result<_, SymbolicError>>()?;
         Ok(Self(factors))
     }
@@ -429,12 +427,6 @@ pub(crate) fn settle(
     sum: &mut Polynomial,
     work: &mut Work,
 ) -> Result<(), SymbolicError> {
-    let is_settled = |(atom, _): &(Atom, Rational)| {
-        !matches!(
-            atom,
-            Atom::Base(_) | Atom::Constant(Constant::ImaginaryUnit)
-        )
-    };
     if monomial.0.iter().all(is_settled) {
         return sum.insert(monomial, coefficient);
     }
@@ -484,6 +476,14 @@ pub(crate) fn settle(
         sum.insert(monomial, coefficient)?;
     }
     Ok(())
+}
+
+/// Whether a factor of a term is neither a sum nor the imaginary unit.
+fn is_settled((atom, _): &(Atom, Rational)) -> bool {
+    !matches!(
+        atom,
+        Atom::Base(_) | Atom::Constant(Constant::ImaginaryUnit)
+    )
 }
 
 /// The part of an exponent that is multiplied out: all whole powers of a number, so that its root

@@ -378,10 +378,9 @@ fn without_both(
     monomial: &Monomial,
     factors: [&TrigonometricFactor; 2],
 ) -> Result<Monomial, SymbolicError> {
-    let inverse = |factor: &TrigonometricFactor| Monomial::of(factor.atom(), -Rational::ONE);
     monomial
-        .times(&inverse(factors[0]))?
-        .times(&inverse(factors[1]))
+        .times(&Monomial::of(factors[0].atom(), -Rational::ONE))?
+        .times(&Monomial::of(factors[1].atom(), -Rational::ONE))
 }
 
 /// All pairs of sines and cosines of different angles in a term.

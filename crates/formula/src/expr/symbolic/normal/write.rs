@@ -181,8 +181,10 @@ fn rank(part: &Monomial, order: &Order) -> Rank {
             let index = order.moving_index(&variable.name)?;
             return Some((Reverse(Some(variable.order)), index));
         }
-        let inside = |name: &Name| atom.mentions(&BTreeSet::from([name.clone()]));
-        let index = order.moving.iter().position(inside)?;
+        let index = order
+            .moving
+            .iter()
+            .position(|name| atom.mentions(&BTreeSet::from([name.clone()])))?;
         Some((Reverse(Some(0)), index))
     };
     let highest = part.0.iter().filter_map(height).min();
@@ -214,8 +216,7 @@ fn collected(group: &Polynomial, part: &Monomial, writer: &NormalWriter<'_>) -> 
         rest = rest.negated();
         is_negative = !is_negative;
     }
-    let terms = sorted_terms(&rest, order);
-    let first = terms
+    let first = sorted_terms(&rest, order)
         .first()
         .map(|(monomial, _)| sorted_factors(monomial, order));
     let place = first.and_then(|factors| factors.into_iter().next());
@@ -428,10 +429,6 @@ fn multiplied(factors: impl IntoIterator<Item = Expr>) -> Expr {
 
 /// A fraction as it is written: `5/6` is a quotient of integers.
 fn fraction(value: Rational) -> Expr {
-    let whole = |value: i128| {
-        let number = Rational::new(value, 1).unwrap_or(Rational::ZERO);
-        Expr::derived(Kind::Number(number))
-    };
     if value.is_integer() {
         return whole(value.numerator());
     }
@@ -440,6 +437,12 @@ fn fraction(value: Rational) -> Expr {
         whole(value.numerator()),
         whole(value.denominator()),
     )
+}
+
+/// An integer as a formula.
+fn whole(value: i128) -> Expr {
+    let number = Rational::new(value, 1).unwrap_or(Rational::ZERO);
+    Expr::derived(Kind::Number(number))
 }
 
 /// A power of an atom with a positive exponent.
@@ -461,15 +464,17 @@ fn atom_expr(atom: &Atom, writer: &NormalWriter<'_>) -> Expr {
         Atom::Variable(variable) => variable.to_expr(),
         Atom::Call(function, arguments) => {
             let is_even = matches!(function, Function::Cos | Function::Cosh | Function::Abs);
-            let argument = |own: &Inner| {
-                // The cosine of an angle is that of its opposite, of which one begins without a sign.
-                if is_even && begins_with_sign(&writer.inner(own)) {
-                    let opposite = (**own).clone().negated();
-                    return unsigned(&opposite, collected_sum(&opposite, writer), writer);
-                }
-                bracket(own)
-            };
-            let arguments: Vec<_> = arguments.iter().map(argument).collect();
+            let arguments: Vec<_> = arguments
+                .iter()
+                .map(|own| {
+                    // The cosine of an angle is that of its opposite, of which one begins without a sign.
+                    if is_even && begins_with_sign(&writer.inner(own)) {
+                        let opposite = (**own).clone().negated();
+                        return unsigned(&opposite, collected_sum(&opposite, writer), writer);
+                    }
+                    bracket(own)
+                })
+                .collect();
             Expr::call(*function, arguments)
         }
         Atom::Base(base) => bracket(base),
