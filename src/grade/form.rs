@@ -278,7 +278,7 @@ fn comes_to(solution: &Solution<'_>, formula: &Expr, typed: &Marking) -> bool {
 }
 
 /// Whether it was handed back since it can be read in two ways.
-fn is_doubtful(marking: &Marking) -> bool {
+pub(crate) fn is_doubtful(marking: &Marking) -> bool {
     marking.remarks.iter().any(|remark| {
         let why = match remark {
             Remark::Unreadable(unreadable) => &*unreadable.why,

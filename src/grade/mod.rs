@@ -21,12 +21,13 @@ pub use pattern::pattern;
 pub use points::{of_marking, rounded, standing};
 pub use responses::{Given, Place, Responses, Row, RowError};
 
-use crate::answer::{AnswerKind, Credit, Echo, Marker, Marking, Unreadable, Why};
-use crate::response::{Folded, withdrawn};
+use crate::answer::{AnswerKind, Credit, Echo, Marker, Marking, Unreadable, Verdict, Why};
+use crate::response::{Folded, Passage, withdrawn};
 use crate::solution::Solution;
 use crate::unit::DecimalMark;
 
 use self::bound::bounded;
+use self::form::is_doubtful;
 use self::typed::TypedResponse;
 
 /// Longest response that is read.
@@ -62,10 +63,39 @@ fn mark_typed(solution: &Solution<'_>, place: usize, response: &TypedResponse<'_
         return Marking::missing();
     }
     let marking = match folded(solution, place, response) {
-        Ok((marker, folded)) => bounded(|| marker.mark(folded.passage()).in_typed(&folded)),
+        Ok((marker, folded)) => bounded(|| {
+            let kind = solution.template().parts[place].answer.kind();
+            let first = marker.mark(folded.passage());
+            without_aside(marker, kind, folded.passage(), first).in_typed(&folded)
+        }),
         Err(why) => Marking::unreadable(why),
     };
     silence::heard(typed, marking)
+}
+
+/// The marking of a formula without what is said after it, `… by Newton's law`, where it cannot be read with that and is
+/// right alone.
+fn without_aside(
+    marker: &dyn Marker,
+    kind: AnswerKind,
+    response: Passage<'_>,
+    first: Marking,
+) -> Marking {
+    let is_of_formulas = matches!(
+        kind,
+        AnswerKind::Formula
+            | AnswerKind::Equation
+            | AnswerKind::Function
+            | AnswerKind::Matrix
+            | AnswerKind::ModeShape
+    );
+    if !is_of_formulas || first.verdict != Verdict::Unreadable || is_doubtful(&first) {
+        return first;
+    }
+    let alone = response.before_aside().map(|alone| marker.mark(alone));
+    alone
+        .filter(|alone| alone.verdict == Verdict::Right)
+        .unwrap_or(first)
 }
 
 /// How a response to a part is read while it is typed: this tells nothing of the key.

@@ -35,11 +35,11 @@
 //! right dimension, and asks back where one is right that was not taken.
 
 mod amount;
+mod aside;
 mod before_unit;
 mod both_signs;
 mod calls;
 mod components;
-mod condition;
 mod conjugates;
 mod determinant;
 mod differential;

@@ -356,9 +356,9 @@ impl<'t> Passage<'t> {
         runs.filter(|run| !run.is_empty()).map(Self::of).collect()
     }
 
-    /// What comes before the condition that is said of a formula, `…, if ω² > 2λ²`, ` … for ζ < 1`, `… (uniform)`.
-    pub fn before_condition(self) -> Option<Self> {
-        super::condition::before(self.0).map(Self::of)
+    /// What comes before what is said of a formula, `…, if ω² > 2λ²`, `… (uniform)`, `… by Newton's law`.
+    pub fn before_aside(self) -> Option<Self> {
+        super::aside::before(self.0).map(Self::of)
     }
 
     /// Whether it is the name of a logarithm, whose argument many write without brackets.

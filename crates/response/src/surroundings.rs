@@ -3,12 +3,14 @@
 mod after;
 mod around;
 mod before;
+mod circumstance;
 mod numbered;
 
 use std::ops::Range;
 
 use self::after::trail;
 use self::around::{bracketed, fence, program, quotes};
+use self::circumstance::circumstance;
 use self::before::{bullet, definition, described, lead, named_equation};
 pub(crate) use self::numbered::enumeration;
 use self::numbered::number_of_item;
@@ -31,6 +33,7 @@ pub(crate) fn answer_in(typed: &str) -> Range<usize> {
             .or_else(|| number_of_item(text))
             .map(|length| own.start + length..own.end)
             .or_else(|| trail(text).map(|length| own.start..own.end - length))
+            .or_else(|| circumstance(text).map(|length| own.start..own.end - length))
             .or_else(|| quotes(text).map(|(open, close)| own.start + open..own.end - close))
             .or_else(|| fence(text).map(|(open, close)| own.start + open..own.end - close))
             .or_else(|| program(text).map(|(open, close)| own.start + open..own.end - close))

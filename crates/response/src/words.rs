@@ -846,6 +846,16 @@ pub(crate) const CONDITIONS: &[&str] = &[
     "falls",
 ];
 
+/// Words before what says when or where an answer holds, `at x = 0`.
+pub(crate) const CIRCUMSTANCES: &[&str] = &[
+    "at", "for", "when", "whenever", "where", "if", "bei", "für", "wenn", "wo", "pour", "quand", "à", "en",
+];
+
+/// Words before what an answer comes from or holds for, `by Newton's law`, `for any angle`.
+pub(crate) const SOURCES: &[&str] = &[
+    "by", "using", "from", "via", "per", "valid", "according", "nach", "mit", "par", "d'après", "selon",
+];
+
 /// Words around the two ends of a range.
 pub(crate) const RANGES: &[(&str, &str)] = &[
     ("from ", " to "),

@@ -444,12 +444,6 @@ impl Marker for Prepared {
             {
                 marking
             }
-            Err(_)
-                if let Some(alone) = response.before_condition()
-                    && let Ok(marking) = self.mark_alone(alone) =>
-            {
-                marking
-            }
             // No unit makes it shorter by much, and each that is tried would be read as far.
             Err(error) if matches!(error.trouble, Trouble::TooDeep | Trouble::TooLong) => {
                 Marking::unreadable(Unreadable::typed(&error, response))

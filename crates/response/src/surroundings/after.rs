@@ -124,7 +124,7 @@ fn aside(text: &str) -> Option<usize> {
 }
 
 /// Whether a text ends in a number, perhaps with a unit after a space.
-fn ends_in_value(text: &str) -> bool {
+pub(crate) fn ends_in_value(text: &str) -> bool {
     let is_number =
         |text: &str| text.ends_with(|last: char| last.is_ascii_digit() || "°%".contains(last));
     is_number(text)

@@ -1,0 +1,107 @@
+//! What is said after a formula or an equation and does not change it: `√(ω_n² - 2λ²) for ζ < 1/√2`, `M/l (uniform)`,
+//! `… = 0 by Newton's law`.
+
+use super::letters::greek_word;
+use super::signs::is_apostrophe;
+use super::words::{CONDITIONS, DENIALS, SOURCES, TURNING};
+use vibank_source::lower;
+
+/// What comes before the words, the condition or the remark in brackets after a formula; none where a word denies or turns
+/// what it says.
+pub(crate) fn before(text: &str) -> Option<&str> {
+    let text = text.trim_end_matches(['.', '!', ' ']);
+    let bracketed = || {
+        let (before, said) = text.strip_suffix(')')?.rsplit_once(" (")?;
+        is_aside(said).then_some(before)
+    };
+    let behind_comma = || {
+        let (before, said) = text.rsplit_once(", ")?;
+        is_aside(said).then_some(before)
+    };
+    let behind_word = || {
+        let words = CONDITIONS.iter().chain(SOURCES);
+        words.into_iter().find_map(|word| {
+            let at = text.find(&format!(" {word} "))?;
+            is_aside(&text[at + 1..]).then_some(&text[..at])
+        })
+    };
+    let last_word = || {
+        let (before, word) = text.rsplit_once(' ')?;
+        let last = before.rsplit(' ').next().unwrap_or(before);
+        let is_behind_word = last.chars().count() > 2 && last.chars().all(char::is_alphabetic);
+        (is_remark(word) && !is_behind_word).then_some(before)
+    };
+    let before = bracketed()
+        .or_else(behind_comma)
+        .or_else(behind_word)
+        .or_else(last_word)?;
+    let before = before.trim_end().trim_end_matches(',').trim_end();
+    (!before.is_empty()).then_some(before)
+}
+
+/// Whether a text is a condition, or of words alone.
+fn is_aside(said: &str) -> bool {
+    let begins = |word: &str| {
+        let behind = said.strip_prefix(word);
+        behind.is_some_and(|behind| behind.starts_with(' '))
+    };
+    let compares = said.contains(['<', '>', '≤', '≥', '≈']);
+    let is_condition = CONDITIONS.iter().any(|word| begins(word)) || said.contains('≈');
+    compares && is_condition && !said.contains(['=', ';']) || is_remark(said)
+}
+
+/// Whether a text is of words alone, none of which says that the formula is another one.
+fn is_remark(said: &str) -> bool {
+    /// Shorter words may be letters of a formula.
+    const MIN_LETTERS: usize = 5;
+    let mut words = said.split_whitespace();
+    let is_of_word = |char: char| char.is_alphabetic() || char == '-' || is_apostrophe(char);
+    let changes = |word: &str| {
+        let word = lower(word);
+        TURNING.contains(&word.as_str()) || DENIALS.contains(&word.as_str())
+    };
+    // `2nd`
+    let is_ordinal = |word: &str| {
+        let bare = word.trim_start_matches(|char: char| char.is_ascii_digit());
+        ["st", "nd", "rd", "th", "e"].contains(&bare)
+    };
+    let is_long = |word: &str| {
+        word.chars().count() >= MIN_LETTERS
+            && word.is_ascii()
+            && greek_word(&lower(word)).is_none()
+            && !word.ends_with("dot")
+    };
+    words.clone().any(is_long)
+        && words.all(|word| word.chars().all(is_of_word) && !changes(word) || is_ordinal(word))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::before;
+
+    #[test]
+    fn what_is_said_of_a_formula_is_no_part_of_it() {
+        for (typed, formula) in [
+            ("sqrt(w^2 - 2λ^2), if w² > 2λ²", Some("sqrt(w^2 - 2λ^2)")),
+            ("sqrt(a) for ζ < 1/√2", Some("sqrt(a)")),
+            ("sqrt(a) (provided ζ<0.707)", Some("sqrt(a)")),
+            ("M/l (uniform)", Some("M/l")),
+            ("x'' + w^2 x = 0 (sin θ ≈ θ)", Some("x'' + w^2 x = 0")),
+            ("x'' + x = 0 by Newton's 2nd law", Some("x'' + x = 0")),
+            ("x'' + x = 0, valid for any angle", Some("x'' + x = 0")),
+            ("x'' + x = 0 Lagrange", Some("x'' + x = 0")),
+            ("L/2, half the column", None),
+            ("m g (upwards)", None),
+            ("m g (not uniform)", None),
+            ("2 (a + b)", None),
+            ("a sin (omega t)", None),
+            ("m x'' = k lambda", None),
+            ("x'' = thetaddot", None),
+            ("k/m for", None),
+            ("k/m for m", None),
+            ("m x'' = -F for x' > 0 and m x'' = F for x' < 0", None),
+        ] {
+            assert_eq!(before(typed), formula, "{typed}");
+        }
+    }
+}
