@@ -2,7 +2,7 @@
 
 use super::bound::bounded;
 use super::typed::TypedResponse;
-use super::{mark_typed, silence};
+use super::{mark_typed, silence, without_aside};
 use crate::answer::{Beside, Marking};
 use crate::response::{Folded, Passage, withdrawn};
 use crate::solution::Solution;
@@ -47,10 +47,9 @@ pub(crate) fn marked(
         .collect();
     match solution.marker(place) {
         Ok(marker) => {
-            let marking = bounded(|| {
-                let marking = marker.mark_beside(folded.passage(), &others);
-                marking.in_typed(folded)
-            });
+            let kind = parts[place].answer.kind();
+            let mark = |response: Passage<'_>| marker.mark_beside(response, &others);
+            let marking = bounded(|| without_aside(kind, folded.passage(), mark).in_typed(folded));
             silence::heard(response.typed(), marking)
         }
         Err(_) => mark_typed(solution, place, response),

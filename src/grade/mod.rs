@@ -65,22 +65,22 @@ fn mark_typed(solution: &Solution<'_>, place: usize, response: &TypedResponse<'_
     let marking = match folded(solution, place, response) {
         Ok((marker, folded)) => bounded(|| {
             let kind = solution.template().parts[place].answer.kind();
-            let first = marker.mark(folded.passage());
-            without_aside(marker, kind, folded.passage(), first).in_typed(&folded)
+            let mark = |response: Passage<'_>| marker.mark(response);
+            without_aside(kind, folded.passage(), mark).in_typed(&folded)
         }),
         Err(why) => Marking::unreadable(why),
     };
     silence::heard(typed, marking)
 }
 
-/// The marking of a formula without what is said after it, `… by Newton's law`, where it cannot be read with that and is
-/// right alone.
+/// The marking of a response; where a formula cannot be read with what is said after it, `… by Newton's law`, and is right
+/// without, that of the formula alone.
 fn without_aside(
-    marker: &dyn Marker,
     kind: AnswerKind,
     response: Passage<'_>,
-    first: Marking,
+    mark: impl Fn(Passage<'_>) -> Marking,
 ) -> Marking {
+    let first = mark(response);
     let is_of_formulas = matches!(
         kind,
         AnswerKind::Formula
@@ -92,7 +92,7 @@ fn without_aside(
     if !is_of_formulas || first.verdict != Verdict::Unreadable || is_doubtful(&first) {
         return first;
     }
-    let alone = response.before_aside().map(|alone| marker.mark(alone));
+    let alone = response.before_aside().map(mark);
     alone
         .filter(|alone| alone.verdict == Verdict::Right)
         .unwrap_or(first)

@@ -19,6 +19,11 @@ pub(crate) fn equations(text: &str) -> Vec<Span> {
         });
     }
     found.retain(|place| !text[place.range()].trim().is_empty());
+    // The state at the start says nothing of the motion, where that is given.
+    let is_start = |place: &Span| is_initial_state(text[place.range()].trim());
+    if !found.iter().all(is_start) {
+        found.retain(|place| !is_start(place));
+    }
     if found.is_empty() {
         found.push(all);
     }
@@ -41,10 +46,10 @@ fn cut_at_and(text: &str, place: Span) -> Vec<Span> {
 pub(crate) fn is_initial_state(equation: &str) -> bool {
     let left = equation.split_once('=').map_or("", |(left, _)| left);
     let name = left.trim_end().strip_suffix("(0)").unwrap_or_default();
-    name.starts_with(char::is_alphabetic)
+    name.starts_with(|first: char| first.is_alphabetic() || first == '\\')
         && name
             .chars()
-            .all(|char| char.is_alphanumeric() || "_'\"".contains(char))
+            .all(|char| char.is_alphanumeric() || "_'\"\\{} \u{307}\u{308}".contains(char))
 }
 
 /// A number that an equation bears, `(2) m x'' = …`, `2. m x'' = …` or `m x'' = … (2)`.

@@ -568,9 +568,8 @@ impl Lexer<'_> {
         if !self.manner.is_in_any_case {
             return None;
         }
-        let is_there = |name: &str| {
-            self.text[..start].contains(name) || self.text[end..].contains(name)
-        };
+        let is_there =
+            |name: &str| self.text[..start].contains(name) || self.text[end..].contains(name);
         self.lexicon
             .split_in_any_case(letters, end, primes, is_there)
     }

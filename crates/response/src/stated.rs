@@ -2,12 +2,13 @@
 //! `ζ = λ/ω_n with ω_n = √(k/m)`.
 
 use super::differential::spelling;
+use super::equations::is_initial_state;
 use super::list::{cut_where, trimmed};
 use super::sides::{is_word, last_side, without_arguments};
 use super::signs::is_apostrophe;
 use super::words::{RATES, STATEMENTS};
 use super::{Chain, Lexicon, Manner, Passage, Trouble, Typed, TypedError, formula_at, sides};
-use vibank_formula::expr::{Expr, Function, Kind, Name, Substitution};
+use vibank_formula::expr::{Expr, Function, Kind, Name, Operator, Substitution};
 use vibank_formula::unit::Unit;
 use vibank_source::Span;
 
@@ -337,17 +338,28 @@ pub(crate) fn defined_chains(
         all.remove(0);
     }
     let is_one = all.len() == 1;
-    let (mut equations, mut definitions) = (Vec::new(), Vec::new());
+    let (mut equations, mut definitions, mut coordinates) = (Vec::new(), Vec::new(), Vec::new());
     for statement in all {
         // `F = m a: -k x = m x''`
         let statement = behind_colon(text, statement);
+        // The state at the start says nothing of the motion.
+        if !equations.is_empty() && is_initial_state(&text[statement.range()]) {
+            continue;
+        }
         match said(text, statement, lexicon) {
             Said::Letter(own) if !(own.is_known && lexicon.is_moving(&own.name)) => {
                 definitions.push((own, statement));
             }
+            Said::Letter(own) if own.order == 0 => coordinates.push((own, statement)),
             Said::Nothing => {}
             Said::Letter(_) | Said::Equation => equations.push(statement),
         }
+    }
+    // `m x3'' + k z = 0, z = x3 - x2`; alone it is an equation.
+    if equations.is_empty() {
+        equations.extend(coordinates.into_iter().map(|(_, statement)| statement));
+    } else {
+        definitions.append(&mut coordinates);
     }
     // `a = -k/m x`
     if equations.is_empty() {
@@ -525,6 +537,11 @@ fn letter(text: &str, lexicon: &Lexicon) -> Option<Letter> {
             Kind::Prime(inner, order) => (inner.kind(), *order),
             kind => (kind, 0),
         };
+        // `me` is a letter of its own where something is said of it.
+        let is_product = matches!(inner, Kind::Binary(Operator::Multiply, ..));
+        if is_product && order == 0 && is_word(word) {
+            return own_letter(word, lexicon, squared.is_some());
+        }
         let Kind::Name(name) = inner else { return None };
         // `v` stands for ẋ where nothing else is said of it.
         let is_rate = |letter| word.starts_with(letter) && !name.as_str().starts_with(letter);
@@ -538,6 +555,11 @@ fn letter(text: &str, lexicon: &Lexicon) -> Option<Letter> {
             });
         }
     }
+    own_letter(word, lexicon, squared.is_some())
+}
+
+/// A letter that the lexicon does not have, with its primes.
+fn own_letter(word: &str, lexicon: &Lexicon, is_square: bool) -> Option<Letter> {
     let bare = word.trim_end_matches(|last: char| last == '\'' || is_apostrophe(last));
     let order = word[bare.len()..].chars().count();
     if !is_word(bare) || sides::begins_with_function(bare) {
@@ -551,7 +573,7 @@ fn letter(text: &str, lexicon: &Lexicon) -> Option<Letter> {
             .cloned()
             .unwrap_or_else(|| Name::new(spelling.as_str())),
         order: u8::try_from(order).ok()?,
-        is_square: squared.is_some(),
+        is_square,
         is_known: false,
     })
 }

@@ -10,8 +10,8 @@ use std::ops::Range;
 
 use self::after::trail;
 use self::around::{bracketed, fence, program, quotes};
-use self::circumstance::circumstance;
 use self::before::{bullet, definition, described, lead, named_equation};
+use self::circumstance::circumstance;
 pub(crate) use self::numbered::enumeration;
 use self::numbered::number_of_item;
 use super::words::WITHDRAWALS;

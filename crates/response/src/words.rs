@@ -760,6 +760,9 @@ pub(crate) const JOINING: &[&str] = &["and", "or", "et", "ou", "und", "oder", "i
 pub(crate) const STATEMENTS: &[&str] = &[
     "with",
     "where",
+    "for",
+    "if",
+    "when",
     "and",
     "or",
     "so",
@@ -848,12 +851,24 @@ pub(crate) const CONDITIONS: &[&str] = &[
 
 /// Words before what says when or where an answer holds, `at x = 0`.
 pub(crate) const CIRCUMSTANCES: &[&str] = &[
-    "at", "for", "when", "whenever", "where", "if", "bei", "für", "wenn", "wo", "pour", "quand", "à", "en",
+    "at", "for", "when", "whenever", "where", "if", "bei", "für", "wenn", "wo", "pour", "quand",
+    "à", "en",
 ];
 
 /// Words before what an answer comes from or holds for, `by Newton's law`, `for any angle`.
 pub(crate) const SOURCES: &[&str] = &[
-    "by", "using", "from", "via", "per", "valid", "according", "nach", "mit", "par", "d'après", "selon",
+    "by",
+    "using",
+    "from",
+    "via",
+    "per",
+    "valid",
+    "according",
+    "nach",
+    "mit",
+    "par",
+    "d'après",
+    "selon",
 ];
 
 /// Words around the two ends of a range.

@@ -12,7 +12,7 @@ use super::{Arc, Setup, read, told, written};
 use crate::answer::settle::{Candidate, Rule, settle};
 use crate::answer::{
     Beside, Credit, Doubt, Echo, Equations, Key, Marker, Marking, Misfit, Nature, Note, Reading,
-    Remark, Slip, Trial, Unreadable, Why,
+    Remark, Slip, Trial, Unreadable, Verdict, Why,
 };
 use crate::expr::{Equation, Kind, Name, Program};
 use crate::numerics::Rational;
@@ -204,7 +204,16 @@ impl Marker for Prepared {
         // Looked for only where the conventional reading is not right.
         let readings = std::iter::once_with(|| read::others(setup, response, &equations)).flatten();
         let first = candidate(equations.clone());
-        settle(self.doubt, Rule::Stated, first, readings.map(candidate))
+        let marking = settle(self.doubt, Rule::Stated, first, readings.map(candidate));
+        if marking.verdict == Verdict::Right {
+            return marking;
+        }
+        // `M x'' + … = 0, M = 3m/2`, where M is a letter of the question, too.
+        let defined = read::defined(setup, response);
+        let defined = defined.map(|equations| self.judged(equations, others));
+        defined
+            .filter(|defined| defined.verdict == Verdict::Right)
+            .unwrap_or(marking)
     }
 
     fn equations(&self, response: Passage<'_>) -> Option<Equations> {

@@ -46,7 +46,7 @@ pub(crate) fn others(
 }
 
 /// The equations of a response whose other statements define letters.
-fn defined(setup: &Setup, response: Passage<'_>) -> Option<Vec<Equation>> {
+pub(crate) fn defined(setup: &Setup, response: Passage<'_>) -> Option<Vec<Equation>> {
     let chains = response
         .defined_chains(&setup.lexicon, Manner::REAL)?
         .ok()?;

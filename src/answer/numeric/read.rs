@@ -353,7 +353,9 @@ pub(crate) fn explained(error: &TypedError, values: &Values<'_>, typed: Passage<
                 Unreadable::at(place, Why::UnitNotLast).like(Example::UnitLast)
             }
             ValueTrouble::Bracketed => Unreadable::at(place, Why::BracketAfterNumber),
-            ValueTrouble::Units | ValueTrouble::UnitOfArgument => Unreadable::of(Why::TwoUnits).like(Example::UnitLast),
+            ValueTrouble::Units | ValueTrouble::UnitOfArgument => {
+                Unreadable::of(Why::TwoUnits).like(Example::UnitLast)
+            }
             ValueTrouble::MixedAngles => Why::MixedDegrees.into(),
         },
         _ => Unreadable::typed(error, values.whole()).like(Example::UnitLast),

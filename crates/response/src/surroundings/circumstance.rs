@@ -50,7 +50,10 @@ mod tests {
             ("x_st = mg/k, when x'' = 0", "x_st = mg/k"),
             ("t = 0.3 s at s = 5 cm", "t = 0.3 s"),
             ("m x'' + k x = 0 at x = 0", "m x'' + k x = 0"),
-            ("ζ = c/(2√(km)) for k = k1 + k2", "ζ = c/(2√(km)) for k = k1 + k2"),
+            (
+                "ζ = c/(2√(km)) for k = k1 + k2",
+                "ζ = c/(2√(km)) for k = k1 + k2",
+            ),
             ("unstable at θ = π", "unstable at θ = π"),
             ("x in mm = 5", "x in mm = 5"),
             ("2 t for t < 1; 3 for t = 1", "2 t for t < 1; 3 for t = 1"),
