@@ -126,10 +126,13 @@ impl Naming {
     /// The name of what is asked, if a label is its printed symbol.
     fn printed_name(&self, label: Passage<'_>) -> Result<Option<&Name>, Unreadable> {
         let typed = Label::of_passage(label);
-        match self.printed.iter().find(|(printed, _)| *printed == typed) {
-            Some((_, name)) if self.asked.contains(name) => Ok(Some(name)),
-            Some(_) => Err(Unreadable::at(label, Why::OtherQuantity)),
-            None => Ok(None),
+        // What is asked may be printed as another quantity is that serves its solution.
+        let same = self.printed.iter().filter(|(printed, _)| *printed == typed);
+        let names: Vec<&Name> = same.map(|(_, name)| name).collect();
+        match names.iter().find(|name| self.asked.contains(name)) {
+            Some(name) => Ok(Some(name)),
+            None if names.is_empty() => Ok(None),
+            None => Err(Unreadable::at(label, Why::OtherQuantity)),
         }
     }
 

@@ -170,6 +170,7 @@ fn unvaried(name: &'static str) -> &'static str {
 /// A letter with dots over it.
 pub(crate) fn dotted(char: char) -> Option<(char, u8)> {
     Some(match char {
+        'Ė' => ('E', 1),
         'ẋ' => ('x', 1),
         'ẍ' => ('x', 2),
         'ẏ' => ('y', 1),

@@ -180,8 +180,9 @@ impl<'t> Passage<'t> {
         self,
         lexicon: &Lexicon,
         manner: Manner,
+        may_redefine: bool,
     ) -> Option<Result<Vec<Typed<Chain>>, TypedError>> {
-        stated::defined_chains(self.0, lexicon, manner)
+        stated::defined_chains(self.0, lexicon, manner, may_redefine)
     }
 
     /// Its equations, cut at semicolons, line ends, and commas or `and` between equations.

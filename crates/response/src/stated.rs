@@ -1,8 +1,9 @@
 //! What a response says in several statements: the one that counts, and what it says that other letters are,
 //! `ζ = λ/ω_n with ω_n = √(k/m)`.
 
-use super::differential::spelling;
+use super::differential::{leibniz, spelling};
 use super::equations::is_initial_state;
+use super::letters::{combining, is_dotted};
 use super::list::{cut_where, trimmed};
 use super::sides::{is_word, last_side, without_arguments};
 use super::signs::is_apostrophe;
@@ -213,7 +214,14 @@ impl<'t> Stated<'t> {
             span: moved(error.span, start),
             ..error
         })?;
-        Ok(sides.into_iter().map(|side| moved(side, start)).collect())
+        let mut sides: Vec<Span> = sides.into_iter().map(|side| moved(side, start)).collect();
+        // `dE/dt = m x' x'' + k x x' = 0` says of the rate that it is zero as well.
+        let is_zero = |side: &Span| self.text[side.range()].trim() == "0";
+        let is_of_rate = || self.label().is_some_and(|label| is_rate(label.text()));
+        if sides.len() > 1 && sides.last().is_some_and(is_zero) && is_of_rate() {
+            sides.pop();
+        }
+        Ok(sides)
     }
 
     fn side(
@@ -253,12 +261,14 @@ impl<'t> Stated<'t> {
 
     /// What the other statements say that letters are.
     fn definitions(&self, lexicon: &Lexicon) -> Vec<Definition> {
-        let own = self.label().and_then(|label| letter(label.text(), lexicon));
+        let own = self
+            .label()
+            .and_then(|label| letter(label.text(), lexicon, false));
         let is_of_answer = |name: &Name| own.as_ref().is_some_and(|own| own.name == *name);
         let said = self
             .others
             .iter()
-            .map(|other| said(self.text, *other, lexicon));
+            .map(|other| said(self.text, *other, lexicon, false));
         let found = said.filter_map(|said| match said {
             Said::Letter(definition) => Some(definition),
             Said::Equation | Said::Nothing => None,
@@ -277,14 +287,17 @@ enum Said {
     Equation,
 }
 
-fn said(text: &str, statement: Span, lexicon: &Lexicon) -> Said {
+/// What a statement says; of equations also what a product of letters, `me`, is as a letter of its own.
+fn said(text: &str, statement: Span, lexicon: &Lexicon, may_be_product: bool) -> Said {
     let start = statement.range().start;
     let text = &text[statement.range()];
     let mut sides = sides::equal_sides(text);
     if sides.len() < 2 {
         return Said::Equation;
     }
-    let read = |side: Option<&Span>| side.and_then(|side| letter(&text[side.range()], lexicon));
+    let read = |side: Option<&Span>| {
+        side.and_then(|side| letter(&text[side.range()], lexicon, may_be_product))
+    };
     let (first, last) = (read(sides.first()), read(sides.last()));
     let letter = match (first, last) {
         // `θ' = ω`
@@ -328,6 +341,7 @@ pub(crate) fn defined_chains(
     text: &str,
     lexicon: &Lexicon,
     manner: Manner,
+    may_redefine: bool,
 ) -> Option<Result<Vec<Typed<Chain>>, TypedError>> {
     let mut all = statements(text);
     let is_of_words =
@@ -346,11 +360,13 @@ pub(crate) fn defined_chains(
         if !equations.is_empty() && is_initial_state(&text[statement.range()]) {
             continue;
         }
-        match said(text, statement, lexicon) {
+        match said(text, statement, lexicon, may_redefine) {
             Said::Letter(own) if !(own.is_known && lexicon.is_moving(&own.name)) => {
                 definitions.push((own, statement));
             }
-            Said::Letter(own) if own.order == 0 => coordinates.push((own, statement)),
+            Said::Letter(own) if may_redefine && own.order == 0 => {
+                coordinates.push((own, statement));
+            }
             Said::Nothing => {}
             Said::Letter(_) | Said::Equation => equations.push(statement),
         }
@@ -509,6 +525,16 @@ impl Defined {
     }
 }
 
+/// Whether a label is that of a rate, `dE/dt`, `Ė`, `E'`.
+fn is_rate(label: &str) -> bool {
+    leibniz(label, 0).is_some_and(|(.., end)| end == label.len())
+        || label.ends_with(is_apostrophe)
+        || label
+            .chars()
+            .any(|char| is_dotted(char) || combining(char).is_some())
+        || label.starts_with("\\dot")
+}
+
 /// Whether a text is a number with a unit or without.
 fn is_value(text: &str) -> bool {
     let is_of_number = |char: char| char.is_ascii_digit() || "-+.,*^ ".contains(char);
@@ -526,7 +552,7 @@ fn moved(span: Span, by: usize) -> Span {
 }
 
 /// The letter that a text is, or its square.
-fn letter(text: &str, lexicon: &Lexicon) -> Option<Letter> {
+fn letter(text: &str, lexicon: &Lexicon, may_be_product: bool) -> Option<Letter> {
     let text = without_arguments(text.trim_matches(['$', ' ']));
     let squared = ["^2", "²", "^{2}"]
         .iter()
@@ -539,7 +565,7 @@ fn letter(text: &str, lexicon: &Lexicon) -> Option<Letter> {
         };
         // `me` is a letter of its own where something is said of it.
         let is_product = matches!(inner, Kind::Binary(Operator::Multiply, ..));
-        if is_product && order == 0 && is_word(word) {
+        if may_be_product && is_product && order == 0 && is_word(word) {
             return own_letter(word, lexicon, squared.is_some());
         }
         let Kind::Name(name) = inner else { return None };

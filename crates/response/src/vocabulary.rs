@@ -398,6 +398,12 @@ impl Words {
             varied.any(|letter| printed.starts_with(letter))
         });
         let varied = varied.map(|printed| format!("var{printed}"));
+        // `Dm` and `delta_m` for Δm.
+        let difference = |letter: &str| {
+            let rest = printed.as_deref()?.strip_prefix("Delta")?;
+            Some(format!("{letter}{rest}"))
+        };
+        let (difference, small) = (difference("D"), difference("delta"));
         let [latin, of_printed] = latin;
         let others = [
             printed.clone(),
@@ -408,6 +414,8 @@ impl Words {
             of_printed,
             ell,
             varied,
+            difference,
+            small,
         ];
         for spelling in others.into_iter().flatten() {
             if spelling != own && !self.is_taken(&spelling) {

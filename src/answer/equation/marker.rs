@@ -209,7 +209,7 @@ impl Marker for Prepared {
             return marking;
         }
         // `M x'' + … = 0, M = 3m/2`, where M is a letter of the question, too.
-        let defined = read::defined(setup, response);
+        let defined = read::defined(setup, response, true);
         let defined = defined.map(|equations| self.judged(equations, others));
         defined
             .filter(|defined| defined.verdict == Verdict::Right)

@@ -14,7 +14,11 @@ pub(crate) fn equations(setup: &Setup, response: Passage<'_>) -> Result<Vec<Equa
             *why.why,
             Why::EquationNumber | Why::InitialState | Why::UnitOfZero | Why::NotInequality
         );
-        let defined = || (!is_beside).then(|| defined(setup, response)).flatten();
+        let defined = || {
+            (!is_beside)
+                .then(|| defined(setup, response, false))
+                .flatten()
+        };
         // `[M][x''] + [K][x] = 0`
         let rows = || {
             let rows = response.equations_of_matrices()?;
@@ -45,10 +49,14 @@ pub(crate) fn others(
         .collect()
 }
 
-/// The equations of a response whose other statements define letters.
-pub(crate) fn defined(setup: &Setup, response: Passage<'_>) -> Option<Vec<Equation>> {
+/// The equations of a response whose other statements define letters; those of the question, too, where they may be defined anew.
+pub(crate) fn defined(
+    setup: &Setup,
+    response: Passage<'_>,
+    may_redefine: bool,
+) -> Option<Vec<Equation>> {
     let chains = response
-        .defined_chains(&setup.lexicon, Manner::REAL)?
+        .defined_chains(&setup.lexicon, Manner::REAL, may_redefine)?
         .ok()?;
     let mut found = Vec::new();
     for chain in chains {

@@ -33,7 +33,12 @@ pub(crate) fn circumstance(text: &str) -> Option<usize> {
     let is_statement = !body.trim().is_empty() && !relates(before.replacen('=', "", 1).as_str());
     let begins = |first: char| first.is_ascii_digit() || "(-√\\.−".contains(first);
     let is_answer = before.contains('=') || body.trim_start().starts_with(begins);
-    let is_free = ends_in_value(body.trim()) || !body.contains(subject);
+    let name = before.split_once('=').map_or("", |(name, _)| name.trim());
+    let is_free = if name.is_empty() || name.chars().all(is_of_name) {
+        ends_in_value(body.trim()) || !body.contains(subject)
+    } else {
+        !before.contains(subject)
+    };
     (is_statement && is_answer && is_free).then(|| text.len() - before.len())
 }
 
@@ -49,7 +54,11 @@ mod tests {
             ("x1 = 2(1-μ)mg/k for v = 0", "x1 = 2(1-μ)mg/k"),
             ("x_st = mg/k, when x'' = 0", "x_st = mg/k"),
             ("t = 0.3 s at s = 5 cm", "t = 0.3 s"),
-            ("m x'' + k x = 0 at x = 0", "m x'' + k x = 0"),
+            ("m y'' + k y = 0 at x = 0", "m y'' + k y = 0"),
+            (
+                "x'' + ω^2 x = 0, where ω = 3",
+                "x'' + ω^2 x = 0, where ω = 3",
+            ),
             (
                 "ζ = c/(2√(km)) for k = k1 + k2",
                 "ζ = c/(2√(km)) for k = k1 + k2",
