@@ -176,8 +176,12 @@ impl Naming {
             .is_some_and(|typed| self.is_asked(&typed))
     }
 
-    /// Whether a letter of a side is what is asked, `2 ω`, also where its other letters are not known.
-    pub(crate) fn has_asked(&self, side: Passage<'_>) -> bool {
+    /// Whether a letter of a side may be what is asked, `2 ω`, also where its other letters are not known, or what is
+    /// asked has no name.
+    pub(crate) fn may_have_asked(&self, side: Passage<'_>) -> bool {
+        if self.asked.is_empty() || !has_letters(side) {
+            return true;
+        }
         let letters = side.letters().into_iter();
         let mut read = letters.filter_map(|letter| self.reads(letter));
         read.any(|letter| self.is_of_key(&letter))
@@ -267,22 +271,37 @@ impl Steps {
         let (mut letters, mut asked) = (letters_of_steps(declare), Vec::new());
         let known = declare.known();
         for own in known.iter().filter(|own| is_asked(declare, key, own)) {
-            letters.allow(&own.name, own.symbol.clone(), false);
             let letter = Name::new(parted(own.name.as_str()).0);
+            letters.allow(&own.name, own.symbol.clone(), false);
+            if letters.reads(letter.as_str()).is_none() {
+                letters.allow(&letter, symbol(letter.as_str()), false);
+            }
             asked.extend([own.name.clone(), letter]);
         }
         Self { letters, asked }
     }
 
-    /// Whether a side is a formula of letters, be they one's own, of which none is what is asked: `√(K/J) = 19 rad/s`,
-    /// but not `2T = 1 s`.
-    pub(crate) fn are_in(&self, side: Passage<'_>) -> bool {
+    /// Whether a side is a formula with letters of one's own, of which none is what is asked: `√(K/J) = 19 rad/s`.
+    pub(crate) fn are_own_in(&self, side: Passage<'_>) -> bool {
         let is_of_asked = |letter: &Passage<'_>| {
             let typed = letter.formula(&self.letters, Manner::default());
             typed.is_ok_and(|typed| self.asked.iter().any(|own| typed.value.names().uses(own)))
         };
-        side.is_of_free_letters() && !side.letters().iter().any(is_of_asked)
+        let is_own = || side.formula(&self.letters, Manner::default()).is_err();
+        !self.asked.is_empty()
+            && side.is_of_free_letters()
+            && has_letters(side)
+            && is_own()
+            && !side.letters().iter().any(is_of_asked)
     }
+}
+
+/// Whether a side has more than one letter: one alone may be one's own for what is asked, `2 ω`.
+fn has_letters(side: Passage<'_>) -> bool {
+    let letters = side.letters();
+    letters
+        .first()
+        .is_some_and(|first| letters.iter().any(|other| !other.is(&first.to_string())))
 }
 
 /// The letters that the steps before a value may be written in: those of the question, with and without their indices,

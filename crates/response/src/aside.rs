@@ -3,7 +3,7 @@
 
 use super::letters::greek_word;
 use super::signs::is_apostrophe;
-use super::words::{CONDITIONS, DENIALS, SOURCES, TURNING};
+use super::words::{CONDITIONS, DENIALS, METHODS, SOURCES, TURNING};
 use vibank_source::lower;
 
 /// What comes before the words, the condition or the remark in brackets after a formula; none where a word denies or turns
@@ -27,9 +27,7 @@ pub(crate) fn before(text: &str) -> Option<&str> {
     };
     let last_word = || {
         let (before, word) = text.rsplit_once(' ')?;
-        let last = before.rsplit(' ').next().unwrap_or(before);
-        let is_behind_word = last.chars().count() > 2 && last.chars().all(char::is_alphabetic);
-        (is_remark(word) && !is_behind_word).then_some(before)
+        METHODS.contains(&lower(word).as_str()).then_some(before)
     };
     let before = bracketed()
         .or_else(behind_comma)
@@ -47,7 +45,12 @@ fn is_aside(said: &str) -> bool {
     };
     let compares = said.contains(['<', '>', '≤', '≥', '≈']);
     let is_condition = CONDITIONS.iter().any(|word| begins(word)) || said.contains('≈');
-    compares && is_condition && !said.contains(['=', ';']) || is_remark(said)
+    // A function of time is another one before it begins.
+    let is_of_time = || {
+        said.split(|char: char| !char.is_alphanumeric())
+            .any(|word| word == "t")
+    };
+    compares && is_condition && !said.contains(['=', ';']) && !is_of_time() || is_remark(said)
 }
 
 /// Whether a text is of words alone, none of which says that the formula is another one.
@@ -90,6 +93,8 @@ mod tests {
             ("x'' + x = 0 by Newton's 2nd law", Some("x'' + x = 0")),
             ("x'' + x = 0, valid for any angle", Some("x'' + x = 0")),
             ("x'' + x = 0 Lagrange", Some("x'' + x = 0")),
+            ("x'' + x = 0 banana", None),
+            ("2 cos(5 t) for t < 0", None),
             ("L/2, half the column", None),
             ("m g (upwards)", None),
             ("m g (not uniform)", None),

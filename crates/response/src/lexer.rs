@@ -565,7 +565,14 @@ impl Lexer<'_> {
         end: usize,
         primes: u8,
     ) -> Option<Vec<WordPiece>> {
-        if !self.manner.is_in_any_case {
+        // Telephones begin with a capital; some type in capitals throughout.
+        let is_first = || !self.text[..start].contains(char::is_alphabetic);
+        let is_capital = self.text[start..end].starts_with(char::is_uppercase);
+        let is_shouted = || {
+            let capitals = self.text.bytes().filter(u8::is_ascii_uppercase);
+            capitals.count() > 1 && !self.text.contains(|char: char| char.is_ascii_lowercase())
+        };
+        if !self.manner.is_in_any_case || !is_capital || !(is_first() || is_shouted()) {
             return None;
         }
         let is_there =

@@ -103,6 +103,11 @@ pub(crate) fn is_minus(char: char) -> bool {
     char == '-' || of_char(char) == Some(Text("-"))
 }
 
+/// Whether a sign is one of those that stand for a product.
+pub(crate) fn is_times(char: char) -> bool {
+    char == '*' || of_char(char) == Some(Text("*"))
+}
+
 /// Whether a sign is one of those that stand for an apostrophe, as within `Newton's`.
 pub(crate) fn is_apostrophe(char: char) -> bool {
     char == '\'' || of_char(char) == Some(Text("'"))

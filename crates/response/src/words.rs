@@ -855,6 +855,18 @@ pub(crate) const CIRCUMSTANCES: &[&str] = &[
     "à", "en",
 ];
 
+/// Words after a formula that say by what method it was found, or how far.
+pub(crate) const METHODS: &[&str] = &[
+    "lagrange",
+    "newton",
+    "d'alembert",
+    "simplified",
+    "linearized",
+    "linearised",
+    "vereinfacht",
+    "linearisiert",
+];
+
 /// Words before what an answer comes from or holds for, `by Newton's law`, `for any angle`.
 pub(crate) const SOURCES: &[&str] = &[
     "by",

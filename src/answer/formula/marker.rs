@@ -238,7 +238,7 @@ impl Prepared {
         let pieces = stated.pieces();
         let (last, steps) = pieces.split_last()?;
         let read = |side: &Passage<'_>| side.formula(&self.setup.lexicon, self.manner());
-        let has_asked = |side: &Passage<'_>| self.setup.naming.has_asked(*side);
+        let has_asked = |side: &Passage<'_>| self.setup.naming.may_have_asked(*side);
         let are_own = steps.first().is_some_and(|first| read(first).is_err());
         if !are_own || steps.iter().any(has_asked) {
             return None;

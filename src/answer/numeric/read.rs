@@ -147,9 +147,9 @@ impl Setting<'_> {
         Self { mark, steps: None }
     }
 
-    /// Whether a side is a step in letters without the one that is asked.
-    fn is_step(&self, side: Passage<'_>) -> bool {
-        self.steps.is_some_and(|(_, steps)| steps.are_in(side))
+    /// Whether a side is a step in letters of one's own.
+    fn is_own_step(&self, side: Passage<'_>) -> bool {
+        self.steps.is_some_and(|(_, steps)| steps.are_own_in(side))
     }
 
     /// Whether the units of a step are letters of the question: `2√(L/C)` is no litre where a resistance is asked for.
@@ -285,7 +285,7 @@ pub(crate) fn statement(
                 return Err(Why::UnequalSides(one.short(), other.short()).into());
             }
             None if is_between && !values.goes_on_in_words(side) => {}
-            None if at < value && setting.is_step(values.passage(side)) => {}
+            None if at < value && setting.is_own_step(values.passage(side)) => {}
             None => {
                 return Err(Unreadable::at(
                     values.passage(side).short(),

@@ -351,10 +351,8 @@ fn what_is_no_equation_is_handed_back() {
                 "m x'' + c x' = -k x (2)",
                 "unreadable: number of the equation",
             ),
-            (
-                "m x'' + c x' + k x = 0; x(0) = 0; x'(0) = 0",
-                "unreadable: the initial state",
-            ),
+            ("m x'' + c x' + k x = 0; x(0) = 0; x'(0) = 0", "right"),
+            ("x(0) = 0; x'(0) = 0", "unreadable: the initial state"),
             (
                 "m x'' + c x' + k x = 0, c > 0",
                 "unreadable: not an inequality",

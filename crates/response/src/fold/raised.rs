@@ -1,6 +1,7 @@
 //! Exponents in raised signs that are more than integers: `e⁻⁰·⁸⁵ᵗ`, `(k/m)¹ᐟ²`.
 
 use super::Folder;
+use crate::signs::is_times;
 
 /// Raised signs that integers are not made of, and what they are.
 const RAISED: &[(char, char)] = &[
@@ -63,7 +64,7 @@ impl Folder<'_> {
                     plain.push(own);
                 }
                 // A point between raised digits is their decimal sign.
-                None if matches!(char, '·' | '.' | '⋅') && is_within() => {
+                None if (char == '.' || is_times(char)) && is_within() => {
                     is_more = true;
                     plain.push('.');
                 }

@@ -1,7 +1,7 @@
 //! When or where an answer holds: `v_max = 0.8 m/s at x = 0`, `x1 = 2mg/k for v = 0`.
 
 use super::after::ends_in_value;
-use crate::signs::is_apostrophe;
+use crate::signs::{is_apostrophe, is_minus};
 use crate::words::CIRCUMSTANCES;
 
 /// The length of what says of an answer when or where it holds, with its word and the comma before it. What says of a
@@ -31,7 +31,7 @@ pub(crate) fn circumstance(text: &str) -> Option<usize> {
     }
     let body = before.split_once('=').map_or(before, |(_, body)| body);
     let is_statement = !body.trim().is_empty() && !relates(before.replacen('=', "", 1).as_str());
-    let begins = |first: char| first.is_ascii_digit() || "(-√\\.−".contains(first);
+    let begins = |first: char| first.is_ascii_digit() || "(√\\.".contains(first) || is_minus(first);
     let is_answer = before.contains('=') || body.trim_start().starts_with(begins);
     let name = before.split_once('=').map_or("", |(name, _)| name.trim());
     let is_free = if name.is_empty() || name.chars().all(is_of_name) {
