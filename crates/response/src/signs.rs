@@ -25,7 +25,7 @@ pub(crate) fn of_char(char: char) -> Option<Plain> {
         '÷' | '∕' | '⁄' => "/",
         // Equal by definition; nearly equal.
         '≡' | '≔' | '≝' => "=",
-        '≃' | '≅' | '≐' | '≒' | '≑' | '⩰' => "≈",
+        '∼' | '≃' | '≅' | '≐' | '≒' | '≑' | '⩰' => "≈",
         // At most, at least.
         '⩽' | '≦' => "≤",
         '⩾' | '≧' => "≥",
@@ -256,6 +256,8 @@ pub(crate) const COMMANDS: &[(&str, Plain)] = &[
     ("qquad", Text(" ")),
     ("dfrac", Text("\\frac")),
     ("tfrac", Text("\\frac")),
+    ("dbinom", Text("\\binom")),
+    ("tbinom", Text("\\binom")),
     ("cfrac", Text("\\frac")),
     ("nicefrac", Text("\\frac")),
     ("sfrac", Text("\\frac")),
@@ -333,6 +335,10 @@ pub(crate) const UNITS: &[(&str, &str)] = &[
     ("tesla", "tesla "),
     ("ohm", "ohm "),
     ("percent", "%"),
+    ("mm", "mm "),
+    ("cm", "cm "),
+    ("kg", "kg "),
+    ("Hz", "Hz "),
 ];
 
 /// Environments that only set formulas off; their rows are statements.

@@ -20,6 +20,28 @@ pub(crate) const WORDS: &[(&str, &str)] = &[
     ("no greater than", "≤"),
     ("not larger than", "≤"),
     ("no larger than", "≤"),
+    ("greater or equal to", "≥"),
+    ("greater or equal", "≥"),
+    ("larger or equal", "≥"),
+    ("less or equal to", "≤"),
+    ("less or equal", "≤"),
+    ("smaller or equal", "≤"),
+    ("strictly greater than", ">"),
+    ("strictly larger than", ">"),
+    ("strictly less than", "<"),
+    ("strictly smaller than", "<"),
+    ("must not exceed", "≤"),
+    ("should not exceed", "≤"),
+    ("may not exceed", "≤"),
+    ("does not exceed", "≤"),
+    ("cannot exceed", "≤"),
+    ("must exceed", ">"),
+    ("has to exceed", ">"),
+    ("exceeds", ">"),
+    ("bigger than or equal to", "≥"),
+    ("bigger or equal", "≥"),
+    ("bigger than", ">"),
+    ("under", "<"),
     ("greater than", ">"),
     ("larger than", ">"),
     ("more than", ">"),
@@ -54,6 +76,7 @@ pub(crate) const WORDS: &[(&str, &str)] = &[
     ("kleiner als", "<"),
     ("mindestens", "≥"),
     ("höchstens", "≤"),
+    ("percent", PERCENT),
     ("per cent", PERCENT),
     ("pour cent", PERCENT),
     ("Prozent", PERCENT),
@@ -187,6 +210,18 @@ pub(crate) const LEADS: &[&str] = &[
     "i guess",
     "maybe",
     "probably",
+    "from above",
+    "i.e.",
+    "e.g.",
+    "for example",
+    "for instance",
+    "after",
+    "tends to",
+    "it tends to",
+    "goes to",
+    "it goes to",
+    "the ratio is",
+    "ratio",
     "which is",
     "which equals",
     "it equals",
@@ -408,6 +443,23 @@ pub(crate) const TRAILS: &[&str] = &[
     "QED",
     "q.e.d.",
     ", rounded",
+    ", see above",
+    "- see above",
+    "see above",
+    "from the formula above",
+    "using SI units",
+    "rounded",
+    "for this case",
+    "in this case",
+    "at equilibrium",
+    "at the top",
+    "at the bottom",
+    "at the lowest point",
+    "at the highest point",
+    "at the start",
+    "after the start",
+    "without unit",
+    "without units",
     ", t in s",
     ", t in seconds",
 ];
@@ -464,6 +516,27 @@ pub(crate) const TURNING: &[&str] = &[
     "modulo",
 ];
 
+/// Words after a value with a minus that say no more than the minus.
+pub(crate) const OF_MINUS: &[&str] = &[
+    "negative",
+    "compressed",
+    "compression",
+    "shortened",
+    "shortening",
+    "lagging",
+    "left",
+];
+
+/// Spellings of a unit under a root after a list, and what is read.
+pub(crate) const ROOTED_UNITS: &[(&str, &str)] = &[
+    ("1/sqrt(kg)", "kg^(-1/2)"),
+    ("1/√(kg)", "kg^(-1/2)"),
+    ("1/√kg", "kg^(-1/2)"),
+    ("/sqrt(kg)", " kg^(-1/2)"),
+    ("/√(kg)", " kg^(-1/2)"),
+    ("/√kg", " kg^(-1/2)"),
+];
+
 /// Marks after an answer that is meant to be right, with or without a space.
 pub(crate) const SEALS: &[&str] = &[
     "✓",
@@ -478,8 +551,8 @@ pub(crate) const SEALS: &[&str] = &[
 
 /// Words with which a reason begins after an answer; the short ones after a comma alone.
 pub(crate) const REASONS: &[&str] = &[
-    "because", "since", "as", "weil", "da", "denn", "puisque", "parce", "car", "porque", "ya que",
-    "perché", "poiché",
+    "because", "since", "so that", "as", "weil", "da", "denn", "puisque", "parce", "car", "porque",
+    "ya que", "perché", "poiché",
 ];
 
 /// What is said before or after a response that is not meant.
@@ -522,7 +595,14 @@ pub(crate) const REMARKS: &[&str] = &[
     "upper",
     "underdamped",
     "overdamped",
+    "critically damped",
+    "stable",
+    "unstable",
     "constant",
+    "all equal",
+    "both equal",
+    "rigid body translation",
+    "rigid-body translation",
     "any combination",
     "any multiple",
     "or any multiple",
@@ -530,6 +610,7 @@ pub(crate) const REMARKS: &[&str] = &[
 
 /// Words of a remark in brackets after an answer, `(to 3 s.f.)`, `(in SI units)`.
 pub(crate) const ASIDES: &[&str] = &[
+    "correct",
     "approx",
     "approx.",
     "approximately",
@@ -576,135 +657,6 @@ pub(crate) const ASIDES: &[&str] = &[
     "ca.",
     "Einheiten",
 ];
-
-/// Small numbers as words.
-const COUNTS: &[(&str, u8)] = &[
-    ("zero", 0),
-    ("one", 1),
-    ("two", 2),
-    ("three", 3),
-    ("four", 4),
-    ("five", 5),
-    ("six", 6),
-    ("seven", 7),
-    ("eight", 8),
-    ("nine", 9),
-    ("ten", 10),
-    ("eleven", 11),
-    ("twelve", 12),
-    ("thirteen", 13),
-    ("fourteen", 14),
-    ("fifteen", 15),
-    ("sixteen", 16),
-    ("seventeen", 17),
-    ("eighteen", 18),
-    ("nineteen", 19),
-    ("twenty", 20),
-    ("un", 1),
-    ("deux", 2),
-    ("trois", 3),
-    ("quatre", 4),
-    ("cinq", 5),
-    ("sept", 7),
-    ("huit", 8),
-    ("neuf", 9),
-    ("dix", 10),
-    ("eins", 1),
-    ("zwei", 2),
-    ("drei", 3),
-    ("vier", 4),
-    ("fünf", 5),
-    ("sechs", 6),
-    ("sieben", 7),
-    ("acht", 8),
-    ("neun", 9),
-    ("zehn", 10),
-];
-
-/// What is counted in this field, the longer words before those with which they end. Cycles and half-cycles are missing:
-/// three of the ones are six of the others.
-const COUNTED: &[&str] = &[
-    "degrees of freedom",
-    "degree of freedom",
-    "degrés de liberté",
-    "degré de liberté",
-    "freiheitsgrade",
-    "freiheitsgrad",
-    "dofs",
-    "dof",
-    "ddl",
-    "independent coordinates",
-    "coordinates",
-    "independent constraints",
-    "constraints",
-    "constraint",
-    "equations",
-    "pairs",
-    "modes",
-];
-
-/// A count in digits without what is counted: `two degrees of freedom` is `2`; none where nothing of that was typed.
-pub(crate) fn count_in_digits(typed: &str) -> Option<String> {
-    let text = typed.trim().trim_end_matches(['.', '!']);
-    let without = |what: &&str| {
-        let (before, tail) = text.split_at_checked(text.len().checked_sub(what.len())?)?;
-        let is_it = tail.eq_ignore_ascii_case(what) && before.ends_with(' ');
-        is_it
-            .then(|| before.trim_end())
-            .filter(|before| !before.is_empty())
-    };
-    let alone = COUNTED.iter().find_map(without);
-    let count = alone.unwrap_or(text);
-    let last = count.rsplit([' ', '=', ':']).next().unwrap_or(count);
-    let number = COUNTS
-        .iter()
-        .find(|(word, _)| last.eq_ignore_ascii_case(word));
-    match number {
-        Some((_, number)) => Some(format!("{}{number}", &count[..count.len() - last.len()])),
-        None => alone.map(str::to_owned),
-    }
-}
-
-/// An integer without the remark in brackets after it, `3 (x, y, z)`; a factor has no letters, and a remark that leaves
-/// a choice or takes back is none.
-pub(crate) fn before_remark(text: &str) -> Option<&str> {
-    let (before, remark) = text.strip_suffix(')')?.split_once(" (")?;
-    let mut words = remark.split(|char: char| !char.is_alphabetic());
-    let is_doubt = |word: &str| {
-        [
-            "or", "not", "oder", "maybe", "perhaps", "wrong", "if", "per", "each", "times",
-        ]
-        .contains(&vibank_source::lower(word).as_str())
-    };
-    let is_remark = remark.contains(char::is_alphabetic) && !words.any(is_doubt);
-    (before.ends_with(|last: char| last.is_ascii_digit()) && is_remark).then_some(before)
-}
-
-/// The word for what is counted, after a number: `2 periods`.
-pub(crate) fn counted(value: &str) -> Option<&str> {
-    const WORDS: [&str; 16] = [
-        "period",
-        "periods",
-        "oscillation",
-        "oscillations",
-        "vibrations",
-        "swings",
-        "times",
-        "dof",
-        "dofs",
-        "degree of freedom",
-        "degrees of freedom",
-        "half-cycles",
-        "half cycles",
-        "modes",
-        "coordinates",
-        "positions",
-    ];
-    let word = value.trim_start_matches(|char: char| !char.is_alphabetic());
-    WORDS
-        .contains(&word.to_ascii_lowercase().as_str())
-        .then_some(word)
-}
 
 /// Roots in other languages, before a bracket.
 pub(crate) const ROOTS: &[&str] = &[
@@ -756,6 +708,19 @@ pub(crate) const EQUATIONS: &[&str] = &["Eq", "sp.Eq", "sympy.Eq", "Equal", "Equ
 /// Words that join values, also where they are set as text within a formula.
 pub(crate) const JOINING: &[&str] = &["and", "or", "et", "ou", "und", "oder", "in", "at", "cis"];
 
+/// Words before what says where a value holds, `at x = 0`.
+pub(crate) const PLACES: &[&str] = &["at", "for", "when", "where", "if"];
+
+/// Words before what follows from what stands before them.
+pub(crate) const CONCLUSIONS: &[&str] = &[
+    "we get ",
+    "we obtain ",
+    "we find ",
+    "we have ",
+    "gives ",
+    ": ",
+];
+
 /// Words that join statements: before what a letter is, and before what follows.
 pub(crate) const STATEMENTS: &[&str] = &[
     "with",
@@ -798,6 +763,8 @@ pub(crate) const RATES: &[CustomaryRates] = &[
 
 /// Words before the option that is chosen.
 pub(crate) const ANNOUNCEMENTS: &[&str] = &[
+    "i choose",
+    "my choice is",
     "the answer is",
     "answer is",
     "answer",
@@ -809,6 +776,24 @@ pub(crate) const ANNOUNCEMENTS: &[&str] = &[
 
 /// Words that say nothing within an option.
 pub(crate) const ARTICLES: &[&str] = &["the", "a", "an"];
+
+/// Words that begin a reason or a correction.
+pub(crate) const CLAUSES: &[&str] = &[
+    " so ",
+    " because ",
+    " since ",
+    " but ",
+    " hence ",
+    " therefore ",
+    " thus ",
+    " i.e. ",
+];
+
+/// Words that leave open what is said beside them.
+pub(crate) const DOUBTS: &[&str] = &[
+    "or", "if", "unless", "except", "maybe", "perhaps", "hardly", "barely", "almost", "nearly",
+    "neither", "rather", "instead",
+];
 
 /// Words that deny what an option says, or say more.
 pub(crate) const DENIALS: &[&str] = &[
@@ -835,17 +820,160 @@ pub(crate) const THINGS: &[&str] = &[
     "they",
 ];
 
+/// Words that mean the same in this field, each in any of its endings.
+pub(crate) const SYNONYMS: &[&[&str]] = &[
+    &["aperiodic", "overdamped", "overcritical", "supercritical"],
+    &[
+        "pseudoperiodic",
+        "underdamped",
+        "oscillatory",
+        "undercritical",
+        "subcritical",
+    ],
+    &["inphase", "symmetric", "symmetrical"],
+    &[
+        "opposed",
+        "opposition",
+        "antiphase",
+        "outofphase",
+        "antisymmetric",
+        "antisymmetrical",
+    ],
+    &["static", "elastic", "stiffness"],
+    &["dynamic", "inertial", "inertia"],
+    &["every", "always", "all", "each", "any"],
+    &["zero", "0", "vanish", "die", "dies", "null"],
+    &[
+        "not", "no", "never", "without", "neither", "nor", "isn't", "doesn't", "cannot",
+    ],
+    &["further", "more"],
+    &[
+        "halfcycle",
+        "halfoscillation",
+        "halfswing",
+        "halbschwingung",
+        "halbschwingungen",
+    ],
+    &[
+        "pseudoperiod",
+        "quasiperiod",
+        "period",
+        "cycle",
+        "oscillation",
+    ],
+];
+
+/// Runs of words that are one, and how that is spelled.
+pub(crate) const RUNS_OF_WORDS: &[(&str, &str)] = &[
+    ("out of phase", "outofphase"),
+    ("out-of-phase", "outofphase"),
+    ("in phase", "inphase"),
+    ("d.o.f.", "dof"),
+];
+
+/// Words that belong to the next one, with or without a dash.
+pub(crate) const PREFIXES: &[&str] = &["pseudo", "quasi", "half", "over", "under", "anti"];
+
+/// Endings of words, in the order in which they fall.
+pub(crate) const SUFFIXES: &[&[&str]] = &[
+    &["ally", "ly"],
+    &["ing", "ed", "es", "s"],
+    &["al", "a", "e"],
+];
+
+/// Words that say nothing beside others.
+pub(crate) const FILLERS: &[&str] = &[
+    "the",
+    "a",
+    "an",
+    "it",
+    "its",
+    "it's",
+    "they",
+    "there",
+    "this",
+    "that",
+    "these",
+    "one",
+    "ones",
+    "is",
+    "are",
+    "be",
+    "was",
+    "has",
+    "have",
+    "had",
+    "does",
+    "do",
+    "will",
+    "would",
+    "in",
+    "on",
+    "at",
+    "of",
+    "to",
+    "for",
+    "by",
+    "with",
+    "through",
+    "via",
+    "from",
+    "as",
+    "them",
+    "so",
+    "therefore",
+    "thus",
+    "hence",
+    "then",
+    "we",
+    "you",
+    "i",
+    "makes",
+    "make",
+    "needs",
+    "goes",
+    "tends",
+    "out",
+    "away",
+    "decays",
+    "decay",
+    "approaches",
+    "per",
+];
+
+/// Words that stress what is said, where no option tells itself from others by them.
+pub(crate) const STRESSES: &str = "only just simply purely yes clearly indeed definitely and";
+
 /// Words before a condition.
 pub(crate) const CONDITIONS: &[&str] = &[
+    "for all values of",
+    "for all",
+    "for any",
+    "for every",
+    "for each",
+    "for values of",
     "for",
+    "if and only if",
+    "only if",
+    "iff",
     "if",
     "when",
     "whenever",
-    "only if",
-    "provided",
-    "provided that",
-    "as long as",
     "wenn",
+    "all values of",
+    "all values",
+    "all",
+    "any value of",
+    "any value",
+    "any",
+    "every",
+    "each",
+    "values of",
+    "values",
+    "either",
+    "provided that",
+    "provided",
+    "as long as",
     "falls",
 ];
 
@@ -893,6 +1021,18 @@ pub(crate) const UNBOUNDED: &[&str] = &[
 
 /// What comes after the one end of a range, and whether that is the upper one.
 pub(crate) const ONWARDS: &[(&str, bool)] = &[
+    (" and above", false),
+    (" and more", false),
+    (" and up", false),
+    (" and larger", false),
+    (" and greater", false),
+    (" and higher", false),
+    (" and below", true),
+    (" and less", true),
+    (" and smaller", true),
+    (" and lower", true),
+    (" or higher", false),
+    (" or bigger", false),
     (" or more", false),
     (" or greater", false),
     (" or larger", false),
@@ -901,6 +1041,79 @@ pub(crate) const ONWARDS: &[(&str, bool)] = &[
     (" or smaller", true),
     (" or lower", true),
     (" or below", true),
+];
+
+/// What a value of a list is said to be by its rank, with that rank; the last one has none.
+pub(crate) const RANKS: &[(&str, Option<u8>)] = &[
+    ("lowest", Some(1)),
+    ("lower", Some(1)),
+    ("smallest", Some(1)),
+    ("smaller", Some(1)),
+    ("fundamental", Some(1)),
+    ("in phase", Some(1)),
+    ("in-phase", Some(1)),
+    ("symmetric", Some(1)),
+    ("first", Some(1)),
+    ("1st", Some(1)),
+    ("mode 1", Some(1)),
+    ("1", Some(1)),
+    ("middle", Some(2)),
+    ("second", Some(2)),
+    ("2nd", Some(2)),
+    ("mode 2", Some(2)),
+    ("2", Some(2)),
+    ("third", Some(3)),
+    ("3rd", Some(3)),
+    ("mode 3", Some(3)),
+    ("3", Some(3)),
+    ("highest", None),
+    ("higher", None),
+    ("upper", None),
+    ("largest", None),
+    ("larger", None),
+    ("opposed", None),
+    ("in opposition", None),
+    ("out of phase", None),
+    ("out-of-phase", None),
+    ("antiphase", None),
+    ("antisymmetric", None),
+];
+
+/// Words before the one end of a range, and whether that is the upper one.
+pub(crate) const LIMITS: &[(&str, bool)] = &[
+    ("maximum", true),
+    ("max.", true),
+    ("max", true),
+    ("minimum", false),
+    ("min.", false),
+    ("min", false),
+];
+
+/// Words after a range, alone or in brackets, and whether they leave its ends out; the longer ones before those with
+/// which they end.
+pub(crate) const ENDS: &[(&str, bool)] = &[
+    ("incl. ends", false),
+    ("incl. the ends", false),
+    ("incl.", false),
+    ("excl.", true),
+    ("both ends included", false),
+    ("ends included", false),
+    ("both included", false),
+    ("both inclusive", false),
+    ("including both ends", false),
+    ("including the ends", false),
+    ("including the bounds", false),
+    ("inclusive", false),
+    ("included", false),
+    ("including", false),
+    ("both ends excluded", true),
+    ("ends excluded", true),
+    ("both excluded", true),
+    ("excluding both ends", true),
+    ("excluding the ends", true),
+    ("exclusive", true),
+    ("excluded", true),
+    ("excluding", true),
 ];
 
 /// Modules and objects of programs before the names of functions.

@@ -34,7 +34,9 @@ pub(crate) const CALLS: [(&str, [bool; 2]); 7] = [
 ];
 
 /// Words between spaces that join.
-const JOINTS: [(&str, Mark); 5] = [
+const JOINTS: [(&str, Mark); 7] = [
+    ("and also", Mark::And),
+    ("but", Mark::And),
     ("union", Mark::Or),
     ("or", Mark::Or),
     ("and", Mark::And),
