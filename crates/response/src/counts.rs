@@ -1,5 +1,6 @@
 //! Counts and fractions in words: `two degrees of freedom`, `one third`, `fifty percent`.
 
+use super::signs::is_apostrophe;
 use super::wording::Wording;
 use vibank_dynamics::numerics::Rational;
 use vibank_source::lower;
@@ -164,7 +165,7 @@ fn bare_count(said: &str, asked: &Wording) -> Option<String> {
     let words: Vec<&str> = counted.unwrap_or(said).split_whitespace().collect();
     let is_plain = |word: &str| {
         word.chars()
-            .all(|char| char.is_alphabetic() || "-'’,.".contains(char))
+            .all(|char| char.is_alphabetic() || "-,.".contains(char) || is_apostrophe(char))
             && word.chars().count() > 1
     };
     let numbers: Vec<(usize, String)> = words
@@ -196,7 +197,8 @@ fn bare_count(said: &str, asked: &Wording) -> Option<String> {
 /// The number that a word is, in digits.
 fn number(word: &str) -> Option<String> {
     let word = word.trim_end_matches(',');
-    if !word.is_empty() && word.bytes().all(|byte| byte.is_ascii_digit()) {
+    let is_figure = |byte: u8| byte.is_ascii_digit() || b".,".contains(&byte);
+    if word.starts_with(|first: char| first.is_ascii_digit()) && word.bytes().all(is_figure) {
         return Some(word.to_owned());
     }
     let is_roman = |own: &str| own.starts_with('I');
@@ -238,6 +240,8 @@ pub(crate) fn in_words(text: &str) -> Option<(Rational, bool)> {
     };
     let value = match words[..] {
         [only] => count(only)
+            // Elsewhere a number in words is as unusual as its unit.
+            .filter(|count| *count == 0 || is_percent)
             .and_then(|count| Rational::new(count, 1))
             .or_else(|| Rational::new(1, part(only)?)),
         [article, own] if matches!(article, "a" | "A" | "an" | "un") => {

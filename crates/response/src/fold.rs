@@ -21,10 +21,10 @@ use self::plain::{has_barred_numbers, has_cells, is_plain};
 pub(crate) use self::programs::arguments_of_call;
 use self::spaces::OneWidth;
 use self::words::is_shouted;
+use super::answering::answering;
 use super::error::At;
 use super::passage::Passage;
 use super::signs::{MIDDLE_POINT, Plain, RUNS, begins_run, is_minus, of_char};
-use super::stated::answering;
 use super::surroundings::answer_in;
 use vibank_source::Span;
 

@@ -35,6 +35,7 @@
 //! right dimension, and asks back where one is right that was not taken.
 
 mod amount;
+mod answering;
 mod aside;
 mod before_unit;
 mod both_signs;

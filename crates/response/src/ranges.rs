@@ -15,8 +15,8 @@ mod marks;
 use std::ops::Range;
 
 use self::marks::{CALLS, Mark, Marked, marks};
+use super::answering::without_condition;
 use super::list::{cut, cut_where, trimmed};
-use super::stated::without_condition;
 use super::words::{CONDITIONS, ENDS, LIMITS, ONWARDS, RANGES, UNBOUNDED, VERBS};
 use super::{MAX_LENGTH, Passage, Wording};
 use vibank_formula::unit::DecimalMark;

@@ -7,7 +7,7 @@ use super::letters::{combining, is_dotted};
 use super::list::{cut_where, trimmed};
 use super::sides::{is_word, last_side, without_arguments};
 use super::signs::is_apostrophe;
-use super::words::{CONCLUSIONS, PLACES, RATES, STATEMENTS};
+use super::words::{RATES, STATEMENTS};
 use super::{Chain, Lexicon, Manner, Passage, Trouble, Typed, TypedError, formula_at, sides};
 use vibank_formula::expr::{Expr, Function, Kind, Name, Operator, Substitution};
 use vibank_formula::unit::Unit;
@@ -547,7 +547,7 @@ fn begins_value(text: &str) -> bool {
     text.starts_with(|first: char| first.is_ascii_digit() || "-.".contains(first))
 }
 
-fn moved(span: Span, by: usize) -> Span {
+pub(crate) fn moved(span: Span, by: usize) -> Span {
     Span::new(span.range().start + by, span.range().end + by)
 }
 
@@ -691,42 +691,8 @@ impl Definition {
     }
 }
 
-/// The only statement that `answers` among others, or the first one where it has no equals sign.
-pub(crate) fn answering<'t>(text: &'t str, answers: impl Fn(Passage<'t>) -> bool) -> Option<Span> {
-    // `x = 3 m or y = 4 m` leaves a choice, an inequality is one that counts.
-    let is_open = text.split(' ').any(|word| word == "or") || text.contains(['<', '>', '≤', '≥']);
-    if is_open {
-        return None;
-    }
-    let start = text.len() - text.strip_prefix("with ").unwrap_or(text).len();
-    let all = statements_by(&text[start..], |rest| {
-        word_at(rest)
-            .or_else(|| condition_at(rest))
-            .or_else(|| conclusion_at(rest))
-    });
-    let all: Vec<Span> = all.into_iter().map(|own| moved(own, start)).collect();
-    if all.len() < 2 {
-        return None;
-    }
-    let label = |own: &Span| label(text, *own).map(|label| Passage::of(&text[label.range()]));
-    let is_answer = |own: &&Span| label(own).is_some_and(&answers);
-    let mut answering = all.iter().filter(is_answer);
-    // `V'' = 3 J at θ = 0` says where the only value holds.
-    let is_condition = |own: &&Span| {
-        let before = text[..own.range().start].trim_end();
-        PLACES.iter().any(|word| before.ends_with(word))
-    };
-    match (answering.next(), answering.next()) {
-        (Some(only), None) => label(&all[0]).map(|_| *only),
-        (None, _) if label(&all[0]).is_none() || all[1..].iter().all(|own| is_condition(&own)) => {
-            Some(all[0])
-        }
-        _ => None,
-    }
-}
-
 /// What stands before the first equals sign of a statement.
-fn label(text: &str, statement: Span) -> Option<Span> {
+pub(crate) fn label(text: &str, statement: Span) -> Option<Span> {
     let start = statement.range().start;
     let end = text[statement.range()].find(['=', '≈'])?;
     let label = trimmed(text, Span::new(start, start + end));
@@ -740,7 +706,7 @@ fn statements(text: &str) -> Vec<Span> {
 }
 
 /// The same with other words that join statements, by their length.
-fn statements_by(text: &str, joint_at: impl Fn(&str) -> Option<usize>) -> Vec<Span> {
+pub(crate) fn statements_by(text: &str, joint_at: impl Fn(&str) -> Option<usize>) -> Vec<Span> {
     const RELATIONS: [char; 4] = ['<', '>', '≤', '≥'];
     let whole = vec![Span::new(0, text.len())];
     if !text.contains(['=', '≈']) {
@@ -816,37 +782,8 @@ fn is_before_sibling(text: &str, at: usize, first: &str) -> bool {
         && sibling[..stem(sibling)] == first[..stem(first)]
 }
 
-/// The length of the word with which a text begins and that says where a value holds, `at x = 0`.
-fn condition_at(text: &str) -> Option<usize> {
-    let word = PLACES.iter().find(|word| {
-        let behind = text.strip_prefix(**word);
-        behind.is_some_and(|behind| behind.starts_with(' '))
-    })?;
-    let (label, _) = text[word.len()..].split_once('=')?;
-    let label = label.trim().trim_end_matches(is_apostrophe);
-    is_word(without_arguments(label)).then_some(word.len())
-}
-
-/// The length of what follows from what stands before it, `we get T = 3 s` and `: T = 3 s`.
-fn conclusion_at(text: &str) -> Option<usize> {
-    let word = CONCLUSIONS.iter().find(|word| text.starts_with(**word))?;
-    let (label, _) = text[word.len()..].split_once('=')?;
-    is_word(without_arguments(label.trim())).then_some(word.len())
-}
-
-/// A text without what says at its end where it holds, `x < 3 m at t = 0`.
-pub(crate) fn without_condition(text: &str) -> &str {
-    let mut spaces = text.match_indices(' ');
-    let relates = |rest: &str| rest.contains(['<', '>', '≤', '≥']);
-    let found = spaces.find(|(at, _)| {
-        let rest = &text[at + 1..];
-        condition_at(rest).is_some() && !relates(rest) && relates(&text[..*at])
-    });
-    found.map_or(text, |(at, _)| text[..at].trim_end_matches([' ', ',']))
-}
-
 /// The length of the word with which a text begins and that joins statements.
-fn word_at(text: &str) -> Option<usize> {
+pub(crate) fn word_at(text: &str) -> Option<usize> {
     let is_it = |word: &&&str| {
         let behind = text.strip_prefix(**word);
         behind.is_some_and(|behind| behind.starts_with([' ', ',', ':']))

@@ -145,15 +145,23 @@ impl Wording {
                 && !own.denies()
                 && own.0.iter().all(|word| self.0.contains(word))
         };
-        let mut rest = value.trim();
+        let value = value.trim();
+        let mut rest = value;
         while let Some((before, _)) = rest.rsplit_once(' ').filter(|(_, word)| is_said(word)) {
             rest = before.trim_end_matches([' ', ',']);
         }
+        let after = &value[rest.len()..];
         while let Some((_, behind)) = rest.split_once(' ').filter(|(word, _)| is_said(word)) {
             rest = behind.trim_start();
         }
+        let before = &value[..value.len() - after.len() - rest.len()];
+        // `5 per` goes on.
+        let says = |words: &str| words.is_empty() || !Self::of(words).is_empty();
+        if !says(after) || !says(before) {
+            return None;
+        }
         let has_digit = rest.contains(|char: char| char.is_ascii_digit());
-        (rest.len() < value.trim().len() && has_digit).then_some(rest)
+        (rest.len() < value.len() && has_digit).then_some(rest)
     }
 
     /// Whether it has a word of one of the others.

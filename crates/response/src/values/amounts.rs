@@ -76,8 +76,12 @@ impl Values<'_> {
                     ..
                 },
             ] => (numbers, **unit),
-            numbers => (numbers, Unit::ONE),
+            _ => return None,
         };
+        // `3 1/2 m` may be a product.
+        if Ok(unit) != Unit::read("%") {
+            return None;
+        }
         let [whole, above, slash, below] = numbers else {
             return None;
         };
