@@ -300,7 +300,10 @@ impl Steps {
             let typed = letter.formula(&self.letters, Manner::default());
             typed.is_ok_and(|typed| self.asked.iter().any(|own| typed.value.names().uses(own)))
         };
-        side.is_of_free_letters() && !side.letters().iter().any(is_of_asked)
+        // Without a name of what is asked nobody knows which letter is not it.
+        !self.asked.is_empty()
+            && side.is_of_free_letters()
+            && !side.letters().iter().any(is_of_asked)
     }
 }
 

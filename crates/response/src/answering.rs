@@ -17,9 +17,11 @@ pub(crate) fn answering<'t>(text: &'t str, answers: impl Fn(Passage<'t>) -> bool
     }
     let start = text.len() - text.strip_prefix("with ").unwrap_or(text).len();
     let all = statements_by(&text[start..], |rest| {
-        word_at(rest)
-            .or_else(|| condition_at(rest))
-            .or_else(|| conclusion_at(rest))
+        word_at(rest).or_else(|| condition_at(rest)).or_else(|| {
+            // `x1 : x2 = 1 : 2` is a ratio.
+            let before = &text[start..text.len() - rest.len()];
+            conclusion_at(rest).filter(|_| before.contains('='))
+        })
     });
     let all: Vec<Span> = all.into_iter().map(|own| moved(own, start)).collect();
     if all.len() < 2 {

@@ -272,6 +272,11 @@ pub(crate) fn without_common_letter(typed: &str) -> Option<String> {
         .split([',', ';'])
         .all(|entry| entry.contains(char::is_alphabetic) || is_zero(entry));
     let entries = plain.split([',', ';']);
+    // `(1 m, -4 m)` has units.
+    let is_bare = |entry: &str| {
+        entry.contains(char::is_alphabetic) && !entry.contains(|char: char| char.is_ascii_digit())
+    };
+    let is_whole = is_whole && list.split([',', ';']).any(is_bare);
     (common.is_some() && is_whole && are_multiples && entries.clone().all(is_entry))
         .then(|| format!("{}{plain}", &typed[..start]))
 }

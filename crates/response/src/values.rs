@@ -300,11 +300,6 @@ impl<'t> Values<'t> {
         Some((part.start..before + 1, open + 1..last))
     }
 
-    /// Whether a part ends in a unit.
-    pub fn ends_in_unit(&self, part: &Part) -> bool {
-        matches!(self.items(part).next_back(), Some(Item::Unit(_)))
-    }
-
     /// Whether another part is the unit once more in which a value ends, `s (second)`.
     pub fn is_unit_again(&self, value: &Part, other: &Part) -> bool {
         let unit = |item: Option<&Item>| match item {

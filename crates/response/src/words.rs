@@ -50,7 +50,6 @@ pub(crate) const WORDS: &[(&str, &str)] = &[
     ("bigger than or equal to", "≥"),
     ("bigger or equal", "≥"),
     ("bigger than", ">"),
-    ("under", "<"),
     ("greater than", ">"),
     ("larger than", ">"),
     ("more than", ">"),

@@ -209,12 +209,11 @@ fn number_alone(response: Passage<'_>, setting: Setting<'_>) -> Result<TypedNumb
         if let Some(number) = said_once(&values, &restated, setting) {
             return Ok(number);
         }
-        // `0.7 s (second)`, `0.7 s (2π/ω)`
+        // `0.7 s (second)`
         let [value, inner] = &restated[..] else {
             return statement(&values, &all, setting);
         };
-        let is_step = || values.amount(inner).is_err() && setting.is_step(values.passage(inner));
-        if values.is_unit_again(value, inner) || values.ends_in_unit(value) && is_step() {
+        if values.is_unit_again(value, inner) {
             return statement(&values, value, setting);
         }
     }
