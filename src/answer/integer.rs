@@ -12,6 +12,7 @@
 
 use std::sync::Arc;
 
+use super::naming::Steps;
 use super::settle::{Candidate, Rule, settle};
 use super::{
     Answer, AnswerError, Answered, Asked, Band, Blank, Context, Credit, Declare, Doubt, Echo, Key,
@@ -21,7 +22,7 @@ use super::{
 use crate::expr::{Expr, Form, Name, Precise, Program, Slots, Workspace};
 use crate::math::Math;
 use crate::quantity::{Absent, NodeId};
-use crate::response::{Lexicon, Manner, Passage, Reworded, Style, Values};
+use crate::response::{Lexicon, Manner, Passage, Reworded, Style, Values, Wording};
 use crate::unit::{Decimal, DecimalMark, Quantity, Unit};
 
 #[derive(Debug)]
@@ -35,6 +36,10 @@ struct Integer {
 struct Symbols {
     lexicon: Lexicon,
     names: Vec<(Name, NodeId)>,
+    /// The words of the question.
+    asked: Wording,
+    /// The letters that steps before a count may be written in.
+    steps: Steps,
 }
 
 struct Whole {
@@ -69,12 +74,13 @@ pub(crate) fn read(
         );
         return None;
     }
-    let symbols = Arc::new(Symbols::of(declare));
+    let asked = part.text("ask").map(|ask| Wording::of_question(&ask.value));
+    let symbols = Arc::new(Symbols::of(declare, key, asked.unwrap_or_default()));
     Some(Box::new(Integer { key, symbols }))
 }
 
 impl Symbols {
-    fn of(declare: &dyn Declare) -> Self {
+    fn of(declare: &dyn Declare, key: NodeId, asked: Wording) -> Self {
         let (mut lexicon, mut names) = (Lexicon::new(), Vec::new());
         for own in declare.known() {
             let is_pure = own.kind.dimension().is_some_and(|own| own.is_pure());
@@ -86,7 +92,12 @@ impl Symbols {
                 _ => lexicon.forbid(&own.name),
             }
         }
-        Self { lexicon, names }
+        Self {
+            lexicon,
+            names,
+            asked,
+            steps: Steps::of(declare, key),
+        }
     }
 }
 
@@ -165,9 +176,9 @@ impl Marker for Whole {
     }
 
     fn echo(&self, response: Passage<'_>) -> Result<Echo, Unreadable> {
-        let digits = response.in_digits();
+        let digits = response.in_digits(&self.symbols.asked);
         let response = digits.as_ref().map_or(response, Reworded::passage);
-        let read = numeric::readings(response, self.mark);
+        let read = self.readings(response);
         let is_count = |read: &(Quantity, _)| read.0.unit.is_one();
         if !read.as_ref().is_ok_and(is_count)
             && let Some((reading, _)) = self.in_symbols(response)
@@ -190,13 +201,13 @@ impl Marker for Whole {
     }
 
     fn mark(&self, response: Passage<'_>) -> Marking {
-        let digits = response.in_digits();
+        let digits = response.in_digits(&self.symbols.asked);
         let response = digits.as_ref().map_or(response, Reworded::passage);
         // Elsewhere that is no answer.
         if self.key == 0.0 && response.is("none") {
             return self.counted(self.reading(&Quantity::pure(Decimal::ZERO)), 0.0);
         }
-        let read = numeric::readings(response, self.mark);
+        let read = self.readings(response);
         let is_count = |read: &(Quantity, _)| read.0.unit.is_one();
         // A count has no unit: what could be one is a symbol of the question.
         if !read.as_ref().is_ok_and(is_count)
@@ -221,6 +232,13 @@ impl Marker for Whole {
 }
 
 impl Whole {
+    /// The count that a response is, by its conventional reading, and what else may be meant. What looks like a range is
+    /// a difference where it descends, `24-6`.
+    fn readings(&self, response: Passage<'_>) -> Result<(Quantity, Vec<Quantity>), Unreadable> {
+        let steps = (&Unit::ONE, &self.symbols.steps);
+        numeric::counts(response, self.mark, steps)
+    }
+
     /// A response in symbols of the question, `3N` or `3N = 60`, and what it comes to.
     fn in_symbols(&self, response: Passage<'_>) -> Option<(Reading, f64)> {
         let style = Style {

@@ -25,6 +25,8 @@ pub(crate) struct Naming {
     /// Letters that the item does not know and that say something else by the custom of the field.
     customary: Vec<&'static str>,
     is_formula: bool,
+    /// Whether one value is asked, be it of several components.
+    is_one: bool,
     is_matrix: bool,
     is_shape: bool,
     /// Symbols that are not names, `V(π)`, `x₃/x`, `cos θ`: as they can be typed, with the names that stand for them.
@@ -61,6 +63,7 @@ impl Naming {
         let mut naming = Self {
             customary: customary(kind, &asked, dimension, unit),
             is_formula: kind == AnswerKind::Formula,
+            is_one: is_one(kind, declare.graph().kind(*key).map(expr::Type::shape)),
             is_matrix: kind == AnswerKind::Matrix && !asked.is_empty(),
             is_shape: kind == AnswerKind::ModeShape,
             is_of_time: [Dimension::TIME, Dimension::TIME.inverse()]
@@ -120,6 +123,22 @@ impl Naming {
         match self.printed_name(label)?.cloned() {
             Some(name) => Ok(response.with_name(end, name.as_str())),
             None => Ok(response),
+        }
+    }
+
+    /// The statement of a response that answers, where the others are of other symbols: `k = 47.7 N/m, K = 2.19 N/m`,
+    /// `1.71 s (f = 0.585 Hz)`.
+    pub(crate) fn answering<'t>(&self, response: Folded<'t>) -> Folded<'t> {
+        if !self.is_one || self.asked.is_empty() {
+            return response;
+        }
+        let is_asked = |label: Passage<'_>| self.is_of_asked(label);
+        let place = response
+            .answering(is_asked)
+            .or_else(|| response.behind_name(is_asked));
+        match place {
+            Some(place) => response.part(place),
+            None => response,
         }
     }
 
@@ -288,6 +307,7 @@ impl Steps {
             typed.is_ok_and(|typed| self.asked.iter().any(|own| typed.value.names().uses(own)))
         };
         let is_own = || side.formula(&self.letters, Manner::default()).is_err();
+        // Without a name of what is asked nobody knows which letter is not it.
         !self.asked.is_empty()
             && side.is_of_free_letters()
             && has_letters(side)
@@ -327,6 +347,16 @@ fn letters_of_steps(declare: &dyn Declare) -> Lexicon {
         }
     }
     lexicon
+}
+
+/// Whether a part asks for one value, of which a response may say others beside it.
+fn is_one(kind: AnswerKind, shape: Option<Shape>) -> bool {
+    match kind {
+        AnswerKind::Numeric => shape == Some(Shape::Scalar),
+        AnswerKind::ModeShape => matches!(shape, Some(Shape::Vector(_))),
+        AnswerKind::Integer | AnswerKind::Matrix => true,
+        _ => false,
+    }
 }
 
 /// Whether a name is that of the key, or of one of the entries that it lists.

@@ -166,7 +166,13 @@ impl Stripping<'_> {
         let kind = part.answer.kind();
         let mut keys: Vec<(String, String)> = Vec::new();
         let mut put = |key: &str, value: String| keys.push((key.to_owned(), value));
-        put("ask", quoted(""));
+        // Its words may stand beside an answer.
+        let is_said = |char: &char| char.is_alphabetic() || " -'".contains(*char);
+        let ask = entry(stated, "ask").and_then(|ask| match &ask.data {
+            Data::Text(text) => Some(text.chars().filter(is_said).collect::<String>()),
+            _ => None,
+        });
+        put("ask", quoted(&ask.unwrap_or_default()));
         for key in READING {
             // What a choice or work on paper does not know it does not take.
             let is_known = match kind {

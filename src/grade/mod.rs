@@ -146,6 +146,7 @@ fn folded<'s, 'r>(
         _ => response.folded()?.clone(),
     };
     let folded = part.naming.named(folded)?;
+    let folded = part.naming.answering(folded);
     part.naming.check(folded.passage()).map_err(|mut why| {
         why.point_at_typed(&folded);
         why

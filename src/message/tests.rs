@@ -336,14 +336,6 @@ fn reasons() -> Vec<Why> {
         Why::Withdrawn,
         Why::TooManyTurns { times: 100, turn },
         Why::Gram,
-        Why::Capitals {
-            meant: "m".to_owned(),
-            typed: "M".to_owned(),
-        },
-        Why::SpaceInUnit {
-            read: "ms".to_owned(),
-            meant: unit("m s"),
-        },
         Why::MostNumbers(100),
         Why::TightComma,
         Why::AngleWithoutUnit(text()),
@@ -365,7 +357,6 @@ fn reasons() -> Vec<Why> {
         Why::SolveFor(text()),
         Why::NotInInequality(text()),
         Why::BoundsOrder,
-        Why::EndsInWords,
         Why::BoundsAsFormulas,
         Why::BoundsAsNumbers,
         Why::BoundValue,

@@ -42,6 +42,19 @@ impl Amount {
         }
     }
 
+    /// A fraction, or an integer.
+    pub(crate) fn ratio(value: Rational, unit: Unit) -> Self {
+        let whole = Some(value).filter(|value| value.denominator() == 1);
+        let decimal = whole.and_then(|whole| Decimal::parse(&whole.numerator().to_string()).ok());
+        let number = decimal.map_or_else(|| Number::Formula(Expr::number(value)), Number::Decimal);
+        Self {
+            number,
+            unit,
+            others: Vec::new(),
+            is_by_rule: false,
+        }
+    }
+
     /// The value in its unit, if there is one.
     pub fn value(&self) -> Option<Value> {
         match &self.number {

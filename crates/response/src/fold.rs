@@ -21,6 +21,7 @@ use self::plain::{has_barred_numbers, has_cells, is_plain};
 pub(crate) use self::programs::arguments_of_call;
 use self::spaces::OneWidth;
 use self::words::is_shouted;
+use super::answering::answering;
 use super::error::At;
 use super::passage::Passage;
 use super::signs::{MIDDLE_POINT, Plain, RUNS, begins_run, is_minus, of_char};
@@ -162,6 +163,43 @@ impl<'t> Folded<'t> {
         self.pieces.push((end as u32, last as u32));
         self.text = Cow::Owned(self.text[..end].to_owned());
         self
+    }
+
+    /// The part of it where this stands.
+    #[must_use]
+    pub fn part(self, place: Span) -> Self {
+        let range = place.range();
+        let mut part = self.up_to(range.end);
+        let first = part.place(range.start..range.start).range().start;
+        let start = range.start as u32;
+        part.pieces.retain(|(at, _)| *at >= start);
+        part.pieces.iter_mut().for_each(|(at, _)| *at -= start);
+        if part.pieces.first().is_none_or(|(at, _)| *at > 0) {
+            part.pieces.insert(0, (0, first as u32));
+        }
+        part.text = Cow::Owned(part.text[range].to_owned());
+        part
+    }
+
+    /// Where the only statement stands that `answers`, by what is before its equals sign, among others that do not; where
+    /// that is the first one, nothing need be before it.
+    pub fn answering<'f>(&'f self, answers: impl Fn(Passage<'f>) -> bool) -> Option<Span> {
+        answering(self.text(), answers)
+    }
+
+    /// Where the value stands after the name of what is asked, with no sign between them, `x_a 3 m`.
+    pub fn behind_name<'f>(&'f self, is_asked: impl Fn(Passage<'f>) -> bool) -> Option<Span> {
+        let text = self.text();
+        let is_bare =
+            !text.contains(['=', '≈', '<', '>', '≤', '≥', ':', ';']) && !text.contains(", ");
+        let mut starts = text.match_indices(' ').map(|(at, _)| at + 1);
+        let start = starts.find(|at| {
+            let unsigned = text[*at..].strip_prefix(is_minus).unwrap_or(&text[*at..]);
+            unsigned.starts_with(|first: char| first.is_ascii_digit())
+        })?;
+        let name = text[..start].trim();
+        let is_name = name.starts_with(|first: char| first.is_alphabetic() || first == '\\');
+        (is_name && is_bare && is_asked(Passage::of(name))).then(|| Span::new(start, text.len()))
     }
 
     /// The whole of it.
@@ -350,7 +388,7 @@ impl Folder<'_> {
         if self.row_ends.contains(&self.at) {
             return self.write(";", 1);
         }
-        if char == ' ' && self.is_before_power_of_ten() {
+        if char == ' ' && self.is_before_power_of_ten() || char == '.' && self.is_french_times() {
             return self.write("*", width);
         }
         if self.is_rule() {
@@ -378,6 +416,13 @@ impl Folder<'_> {
         }
         if char.is_ascii_alphabetic() && (self.equation() || self.matrix() || self.subscript()) {
             return;
+        }
+        let is_of_unit = matches!(char, '1' | '/');
+        if let Some((length, plain)) = Some(())
+            .filter(|()| is_of_unit)
+            .and_then(|()| self.rooted_unit())
+        {
+            return self.write(plain, length);
         }
         if let Some((length, plain)) = self.word().or_else(|| self.word_of_list()) {
             return self.write(plain, length);
@@ -474,6 +519,18 @@ impl Folder<'_> {
         is_power
             && before.ends_with(|last: char| last.is_ascii_digit())
             && !before.contains(['[', '&', '^'])
+    }
+
+    /// `1,4.10^-2`: after a decimal comma the point before a power of ten multiplies.
+    fn is_french_times(&self) -> bool {
+        let is_digit = |char: char| char.is_ascii_digit();
+        let whole = self.typed[..self.at].trim_end_matches(is_digit);
+        let power = self.rest()[1..].strip_prefix("10");
+        whole.len() < self.at
+            && whole
+                .strip_suffix(',')
+                .is_some_and(|whole| whole.ends_with(is_digit))
+            && power.is_some_and(|power| power.starts_with(['^', '⁻', '⁺', '¹', '²', '³']))
     }
 
     /// Whether `~` says what a symbol nearly is: `x ~ 0.24`. Otherwise it is the space of LaTeX.

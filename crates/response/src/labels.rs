@@ -1,8 +1,9 @@
 //! Symbols before the pieces of a list: `x1 = 1, x2 = 0.291`, `u2 = (1, 0, -1)`, `mode 1: (1, 1.414, 1)`.
 
 use super::list::{Reader, cut, trimmed};
+use super::words::RANKS;
 use super::{Trouble, TypedError};
-use vibank_source::Span;
+use vibank_source::{Span, lower};
 
 impl Reader<'_> {
     /// The symbol before a piece, and the piece without it.
@@ -49,14 +50,14 @@ pub(crate) fn in_order(text: &str, labels: &[Option<Span>]) -> Result<(), TypedE
     }
     let mut last = None;
     for label in labels.iter().filter(|_| labels.len() > 1) {
-        let number = number(&text[label.range()]);
-        if number <= last {
+        let place = place(&text[label.range()]);
+        if place <= last {
             return Err(TypedError {
                 trouble: Trouble::Order,
                 span: *label,
             });
         }
-        last = number;
+        last = place;
     }
     Ok(())
 }
@@ -143,6 +144,19 @@ fn indices(symbol: &str) -> Option<(u32, u32)> {
     let is_named = name.len() < symbol.trim().len() && name.chars().all(is_of_indices);
     let both = number(name).filter(|both| is_named && (11..=99).contains(both) && both % 10 > 0)?;
     Some((both / 10, both % 10))
+}
+
+/// The place of a label among others: its number with what comes after that, `2a`, or what its word says, `first`.
+fn place(label: &str) -> Option<(u32, &str)> {
+    let label = label.trim_end_matches([' ', '=', ':', '≈', '}', ')']);
+    let word = lower(label);
+    let rank = RANKS
+        .iter()
+        .find(|(own, _)| *own == word)
+        .and_then(|(_, rank)| *rank);
+    let number = rank.map(u32::from).or_else(|| number(label))?;
+    let is_digit = |char: char| char.is_ascii_digit() || ('₀'..='₉').contains(&char);
+    Some((number, label.rsplit(is_digit).next().unwrap_or_default()))
 }
 
 /// The number in a symbol, `2` of `x_2` and `ω₂`; a ratio of symbols has none.

@@ -35,12 +35,14 @@
 //! right dimension, and asks back where one is right that was not taken.
 
 mod amount;
+mod answering;
 mod aside;
 mod before_unit;
 mod both_signs;
 mod calls;
 mod components;
 mod conjugates;
+mod counts;
 mod determinant;
 mod differential;
 mod digits;
@@ -73,6 +75,7 @@ mod passage;
 mod phrase;
 mod pieces;
 mod ranges;
+mod ranks;
 mod related;
 mod relation;
 mod reworded;
@@ -84,6 +87,7 @@ mod token;
 mod values;
 mod vocabulary;
 mod ways;
+mod wording;
 mod words;
 
 pub use amount::{Amount, Number, has_pi};
@@ -105,6 +109,7 @@ pub use reworded::Reworded;
 pub use stated::Stated;
 pub use surroundings::{behind_arrow, withdrawn};
 pub use values::{Part, Style, Values};
+pub use wording::Wording;
 
 use self::lexer::tokens;
 use self::parser::Parser;

@@ -9,13 +9,15 @@ use super::naming;
 use super::pieces::{self, FunctionPiece};
 use super::reworded::{self, Reworded};
 use super::stated::{self, Stated};
+use super::words::REMARKS;
 use super::{
-    Chain, Lexicon, Manner, Phrase, Typed, TypedError, components, distance, entry_units, equated,
-    equations, free_letters, layout, list, matrix_form, related, relation, sides, words,
+    Chain, Lexicon, Manner, Phrase, Typed, TypedError, Wording, components, counts, distance,
+    entry_units, equated, equations, free_letters, layout, list, matrix_form, ranks, related,
+    relation, sides,
 };
 use vibank_formula::expr::{Expr, Kind, Name};
 use vibank_formula::unit::Unit;
-use vibank_source::Span;
+use vibank_source::{Span, lower};
 
 /// Signs of a folded response that stand together: all of it, or a part.
 ///
@@ -128,6 +130,16 @@ impl<'t> Passage<'t> {
         fits: impl Fn(&Listed) -> bool,
     ) -> Result<Listed, TypedError> {
         list::list_of_form(self.0, lexicon, units, wanted, fits)
+    }
+
+    /// A list of so many values in the order of what each is said to be, `lower: 5 m, upper: 6 m`.
+    pub fn in_said_order(self, count: usize) -> Option<Reworded> {
+        ranks::in_order(self.0, count).map(Reworded::of)
+    }
+
+    /// Whether it is no more than words that can stand beside any value of its kind, `stable`.
+    pub fn is_remark(self) -> bool {
+        REMARKS.contains(&lower(self.0).as_str())
     }
 
     /// The components of a sum of vectors after its last equals sign; nothing where no vectors of this length stand.
@@ -286,9 +298,14 @@ impl<'t> Passage<'t> {
         distance::distance(self.0)
     }
 
-    /// A count in words, `two`, in digits.
-    pub fn in_digits(self) -> Option<Reworded> {
-        words::count_in_digits(self.0).map(Reworded::of)
+    /// A count in words, or with what is counted by a question of these words, `two degrees of freedom`, in digits.
+    pub fn in_digits(self, asked: &Wording) -> Option<Reworded> {
+        counts::in_digits(self.0, asked).map(Reworded::of)
+    }
+
+    /// A value without the words before and after it that the question has: `47.7 N/m each`, `1.48 pseudo-periods`.
+    pub fn without_words_of(self, asked: &Wording) -> Option<Self> {
+        asked.trimmed_off(self.0).map(Self::of)
     }
 
     /// The unit that it is, as one of them.
@@ -298,12 +315,12 @@ impl<'t> Passage<'t> {
 
     /// An integer without the remark in brackets after it, `3 (x, y, z)`.
     pub fn before_remark(self) -> Option<Self> {
-        words::before_remark(self.0).map(Self::of)
+        counts::before_remark(self.0).map(Self::of)
     }
 
     /// The word for what is counted, after a number: `2 periods`.
     pub fn counted(self) -> Option<Self> {
-        words::counted(self.0).map(Self::of)
+        counts::counted(self.0).map(Self::of)
     }
 
     /// Whether a name is that of a frequency.
@@ -384,6 +401,11 @@ impl<'t> Passage<'t> {
     pub fn solved_components(self, width: usize, symbols: &[String]) -> Option<Reworded> {
         let names = relation::Names::of(symbols.iter().map(String::as_str));
         related::components_of(self.0, width, &names).map(Reworded::of)
+    }
+
+    /// A list of multiples of one letter, `(α, -α)`, as one of numbers.
+    pub fn without_common_letter(self) -> Option<Reworded> {
+        relation::without_common_letter(self.0).map(Reworded::of)
     }
 
     /// A list whose entries have these units, each after its number, `(1 m, -7.5 rad)`, without them; they may all be

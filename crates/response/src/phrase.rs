@@ -1,7 +1,8 @@
 //! Words, as responses and options are made of: without regard to case, spacing and the signs around them.
 
-use super::words::{ANNOUNCEMENTS, ARTICLES, DENIALS, THINGS};
-use super::{Folded, Passage};
+use super::letters::greek_word;
+use super::words::{ANNOUNCEMENTS, ARTICLES, CLAUSES, DENIALS, DOUBTS, THINGS, WITHDRAWALS};
+use super::{Folded, Passage, Wording};
 use vibank_source::lower;
 
 /// Letters of the shortest words that stand for others in another form than theirs.
@@ -141,6 +142,75 @@ impl Phrase {
         THINGS.contains(&thing).then(|| Self::of(said.trim()))
     }
 
+    /// What signs and words part that begin a reason or a correction: `ζ > 1, overdamped`, `elastic, not viscous`.
+    pub fn clauses(&self) -> Vec<Self> {
+        let parts = self.typed.split([',', ';', ':', '(', ')', '→', '⇒', '\n']);
+        let parts = parts
+            .flat_map(|part| part.split("->"))
+            .flat_map(|part| part.split("=>"));
+        let cut = |pieces: Vec<String>, word: &&str| -> Vec<String> {
+            let cut = pieces
+                .iter()
+                .flat_map(|piece| piece.split(*word))
+                .map(str::to_owned);
+            cut.collect()
+        };
+        let parts = CLAUSES.iter().fold(parts.map(str::to_owned).collect(), cut);
+        let parts = parts.iter().flat_map(|part| said_apart(part));
+        let parts = parts.map(|part| part.trim_matches([' ', '=', '-', '.', '!']));
+        parts
+            .filter(|part| !part.is_empty())
+            .map(Self::of)
+            .collect()
+    }
+
+    /// Whether they compare symbols, `ζ > 1`, with no word beside them.
+    pub fn compare(&self) -> bool {
+        let is_word = |word: &str| {
+            word.chars().filter(|char| char.is_alphabetic()).count() >= MIN_LETTERS
+                && greek_word(word.trim_start_matches('\\')).is_none()
+        };
+        let mut words = self
+            .plain
+            .split(|char: char| char.is_whitespace() || "=<>≤≥".contains(char));
+        self.relate() && !words.any(is_word)
+    }
+
+    /// Whether a sign of comparison stands in them.
+    pub fn relate(&self) -> bool {
+        self.plain.contains(['<', '>', '≤', '≥', '='])
+    }
+
+    /// What a clause denies, `not viscous`.
+    pub fn denied(&self) -> Option<Self> {
+        let own = self.plain.strip_prefix("and ").unwrap_or(&self.plain);
+        own.strip_prefix("not ").map(Self::of)
+    }
+
+    /// The letter before words, `b lower the damping`, and the words.
+    pub fn lettered(&self) -> Option<(Self, Self)> {
+        let (letter, words) = self.plain.split_once(' ')?;
+        let letter = Self::of(letter);
+        letter.letter().is_some().then(|| (letter, Self::of(words)))
+    }
+
+    /// What the words mean.
+    pub fn wording(&self) -> Wording {
+        Wording::of(&self.typed)
+    }
+
+    /// These words and others after them.
+    #[must_use]
+    pub fn and(&self, other: &Self) -> Self {
+        Self::of(&format!("{}, {}", self.typed, other.typed))
+    }
+
+    /// Whether a word takes back or leaves open what is said.
+    pub fn are_doubtful(&self) -> bool {
+        let mut words = self.plain.split(|char: char| !char.is_alphabetic());
+        words.any(|word| DOUBTS.contains(&word) || WITHDRAWALS.contains(&word))
+    }
+
     /// What comes after a word.
     pub fn behind(&self, word: &str) -> Option<Self> {
         let behind = self.typed.strip_prefix(word)?.strip_prefix(' ');
@@ -150,6 +220,7 @@ impl Phrase {
     /// The phrases that signs, `and` and `&` part; the words where nothing does.
     pub fn parts(&self) -> Vec<Self> {
         let parts = self.typed.split([',', ';', '>', '→', '\n']);
+        let parts = parts.flat_map(|part| part.split(" - "));
         let parts = parts.flat_map(|part| part.split(" and "));
         let parts = parts.flat_map(|part| part.split(" then "));
         let parts = parts.flat_map(|part| part.split(" & ")).map(str::trim);
@@ -229,4 +300,25 @@ impl Phrase {
             others.all(|word| THINGS.contains(word))
         })
     }
+}
+
+/// The sides of an equals sign that stands for `is`, `upright = unstable`, and of a slash between words; those of a
+/// formula, `L = m`, are one.
+fn said_apart(text: &str) -> Vec<&str> {
+    let is_long = |word: &str| {
+        word.chars().count() > MIN_LETTERS
+            && word.chars().all(|char| char.is_alphabetic() || char == '-')
+    };
+    let between = [" = ", "/"].into_iter().find_map(|sign| {
+        let (before, behind) = text.split_once(sign)?;
+        let last = before.rsplit(' ').next().is_some_and(is_long);
+        let next = behind.split(' ').next().is_some_and(is_long);
+        let is_apart = if sign == "/" {
+            last && next
+        } else {
+            last || next
+        };
+        is_apart.then_some(vec![before, behind])
+    });
+    between.unwrap_or_else(|| vec![text])
 }

@@ -15,9 +15,10 @@ mod marks;
 use std::ops::Range;
 
 use self::marks::{CALLS, Mark, Marked, marks};
+use super::answering::without_condition;
 use super::list::{cut, cut_where, trimmed};
-use super::words::{CONDITIONS, ONWARDS, RANGES, UNBOUNDED};
-use super::{MAX_LENGTH, Passage};
+use super::words::{CONDITIONS, ENDS, LIMITS, ONWARDS, RANGES, UNBOUNDED, VERBS};
+use super::{MAX_LENGTH, Passage, Wording};
 use vibank_formula::unit::DecimalMark;
 use vibank_source::Span;
 
@@ -67,6 +68,13 @@ pub enum Said<'t> {
         /// Whether each end is left out; none where words do not say.
         open: Option<[bool; 2]>,
     },
+    /// That something lies as far on either side of zero at most, `±3 mm`.
+    Within {
+        /// How far.
+        bound: Passage<'t>,
+        /// Whether that is left out; none where words do not say.
+        open: Option<bool>,
+    },
 }
 
 /// A sign between sides.
@@ -96,28 +104,71 @@ pub enum RangeError<'t> {
 type Read<'t, T> = Result<T, RangeError<'t>>;
 
 impl<'t> Ranges<'t> {
-    /// Reads a response whose numbers have this decimal sign.
+    /// Reads a response to a question of these words whose numbers have this decimal sign.
     ///
     /// # Errors
     ///
     /// Where it is something else.
-    pub fn read(passage: Passage<'t>, mark: DecimalMark) -> Read<'t, Self> {
+    pub fn read(passage: Passage<'t>, mark: DecimalMark, asked: &Wording) -> Read<'t, Self> {
         let text = passage.text();
         if text.len() > MAX_LENGTH {
             return Err(RangeError::TooLong);
         }
+        let text = without_condition(text);
+        let (bare, open) = without_said_ends(text);
+        // `from 0.2 (excluded) to 0.5 (included)` says it of each.
+        let says_each = ENDS.iter().any(|(words, _)| bare.contains(words));
+        let (text, open) = if says_each {
+            (text, None)
+        } else {
+            (bare, open)
+        };
+        let mut ranges = Self::bare(text, mark, asked)?;
+        match open {
+            Some(is_open) if !ranges.open(is_open) => Err(RangeError::Bracket),
+            _ => Ok(ranges),
+        }
+    }
+
+    /// Leaves out both ends of the only condition, or keeps them, as words say; whether its signs allow it.
+    fn open(&mut self, is_out: bool) -> bool {
+        let Self::Union(groups) = self else {
+            return false;
+        };
+        let [Group { conditions, .. }] = &mut groups[..] else {
+            return false;
+        };
+        let [condition] = &mut conditions[..] else {
+            return false;
+        };
+        match &mut condition.said {
+            Said::Chain { signs, .. } => {
+                // `≤` keeps its end.
+                let fits = signs.iter().all(|sign| sign.is_open || !is_out);
+                signs.iter_mut().for_each(|sign| sign.is_open = is_out);
+                fits
+            }
+            Said::Interval { open, .. } => {
+                let fits = open.is_none_or(|open| !is_out || open == [true; 2]);
+                *open = Some([is_out; 2]);
+                fits
+            }
+            Said::Within { open, .. } => {
+                *open = Some(is_out);
+                true
+            }
+        }
+    }
+
+    fn bare(text: &'t str, mark: DecimalMark, asked: &Wording) -> Read<'t, Self> {
         let end = text.trim_end_matches(|char: char| char.is_whitespace() || ".,;".contains(char));
         let mut text = without_brackets(end.trim());
         text = condition_of_set(text).unwrap_or(text);
-        let behind = |word: &str| text.strip_prefix(word)?.strip_prefix(' ');
-        text = CONDITIONS
-            .iter()
-            .find_map(|word| behind(word))
-            .unwrap_or(text);
-        let union = text
-            .strip_prefix("Union(")
-            .and_then(|text| text.strip_suffix(')'));
-        text = union.unwrap_or(text);
+        text = condition_said(text, asked);
+        // What programs write around several.
+        let mut calls = ["Union(", "And(", "Or("].iter();
+        let called = calls.find_map(|call| text.strip_prefix(call)?.strip_suffix(')'));
+        text = called.unwrap_or(text);
         let marks = marks(text);
         if let Some(groups) = in_words(text, &marks) {
             return Ok(Self::Union(groups));
@@ -179,14 +230,31 @@ impl<'t> Reader<'t> {
     /// Inequalities that commas or semicolons part, and nothing joins.
     fn side_by_side(&self, all: Span) -> Option<Vec<Span>> {
         let is_digit = |char: char| char.is_ascii_digit();
-        let pieces = cut_where(self.text, all, |at, char| {
+        let mut pieces = cut_where(self.text, all, |at, char| {
             let is_decimal =
                 || self.text[..at].ends_with(is_digit) && self.text[at + 1..].starts_with(is_digit);
-            char == ';' || char == ',' && !is_decimal()
+            matches!(char, ';' | '\n') || char == ',' && !is_decimal()
         });
+        for piece in &mut pieces {
+            let text = &self.text[piece.range()];
+            let begins = |word: &&str| text.trim_start().strip_prefix(*word);
+            if let Some(behind) = ["so ", "hence ", "thus ", "= "]
+                .iter()
+                .find_map(|word| begins(&word))
+            {
+                *piece = Span::new(piece.range().end - behind.len(), piece.range().end);
+            }
+        }
+        // `μ_min = 0.2, μ ≥ 0.2` says the bound before.
+        let is_named = |piece: &Span| self.text[piece.range()].contains('=');
+        if pieces.len() > 1 && pieces.iter().any(|piece| self.relates(*piece)) {
+            pieces.retain(|piece| self.relates(*piece) || !is_named(piece));
+        }
+        let is_all = pieces.len() == 1 && pieces[0] != all;
         let mut marks = self.marks.iter();
         let are_joined = marks.any(|own| matches!(own.mark, Mark::Or | Mark::And));
-        let are_all = pieces.len() > 1 && pieces.iter().all(|piece| self.relates(*piece));
+        let are_all =
+            (pieces.len() > 1 || is_all) && pieces.iter().all(|piece| self.relates(*piece));
         (are_all && !are_joined).then_some(pieces)
     }
 
@@ -247,7 +315,11 @@ impl<'t> Reader<'t> {
         }
         let opens = |own: &&Marked| matches!(own.mark, Mark::Bracket('[' | '(' | ']'));
         let open = self.within(span).find(opens);
-        let open = open.ok_or(RangeError::NoCondition(self.side(span.range())))?;
+        let Some(open) = open else {
+            return self
+                .value(span)
+                .ok_or(RangeError::NoCondition(self.side(span.range())));
+        };
         let closes = |own: &&Marked| matches!(own.mark, Mark::Bracket(']' | ')' | '['));
         let last = self.within(span).filter(closes).last();
         let close = last
@@ -262,6 +334,18 @@ impl<'t> Reader<'t> {
                 open.mark != Mark::Bracket('['),
                 close.mark != Mark::Bracket(']'),
             ]),
+        })
+    }
+
+    /// The one value that is given beside a range, `x < 3 m or x = 3 m`.
+    fn value(&self, span: Span) -> Option<Said<'t>> {
+        let text = &self.text[span.range()];
+        let (subject, value) = text.split_once('=').filter(|_| relates(self.text))?;
+        let value = Passage::of(value);
+        Some(Said::Interval {
+            subject: Some(Passage::of(subject)),
+            ends: [value, value],
+            open: Some([false, false]),
         })
     }
 
@@ -334,6 +418,37 @@ impl<'t> Reader<'t> {
     }
 }
 
+/// A text without the words after it that say of the ends of a range whether they are left out, and what they say.
+fn without_said_ends(text: &str) -> (&str, Option<bool>) {
+    let end = text.trim_end_matches(['.', ' ']);
+    let bare = end.strip_suffix(')').unwrap_or(end);
+    let said = ENDS.iter().find_map(|(words, is_out)| {
+        let before = bare.strip_suffix(words)?;
+        let before = if bare.len() < end.len() {
+            before.strip_suffix('(')?
+        } else {
+            before.strip_suffix([' ', ','])?
+        };
+        Some((before.trim_end_matches([' ', ',']), Some(*is_out)))
+    });
+    said.unwrap_or((text, None))
+}
+
+/// What comes after words for a condition, and after words of the question before those: `for all μ ≥ 0.2`,
+/// `it stays if μ ≥ 0.2`.
+fn condition_said<'t>(text: &'t str, asked: &Wording) -> &'t str {
+    let joint = [" if ", " when ", " for "].iter().find_map(|word| {
+        let (before, behind) = text.split_once(word)?;
+        asked.covers(before).then_some(behind)
+    });
+    let text = joint.unwrap_or(text).trim_start();
+    let behind = |word: &&str| text.strip_prefix(*word)?.strip_prefix(' ');
+    CONDITIONS
+        .iter()
+        .find_map(|word| behind(&word))
+        .unwrap_or(text)
+}
+
 /// An answer without the brackets around all of it.
 fn without_brackets(text: &str) -> &str {
     let inner = text
@@ -386,7 +501,7 @@ fn group<'t>(typed: &'t str, said: Said<'t>) -> Group<'t> {
     }
 }
 
-/// `0.2 or more`, `from 0.2 on`, `x from 0.2 to infinity`.
+/// `0.2 or more`, `from 0.2 on`, `x from 0.2 to infinity`, `max. 0.2`, `x must be 0.2 or less`.
 fn onwards(text: &str) -> Option<Said<'_>> {
     let chain = |lead, is_less, bound| Said::Chain {
         sides: vec![Passage::of(lead), Passage::of(bound)],
@@ -399,10 +514,46 @@ fn onwards(text: &str) -> Option<Said<'_>> {
         let bound = UNBOUNDED.iter().find_map(|end| bound.strip_suffix(end))?;
         Some(chain(lead, false, bound))
     });
+    // `x must be 0.2`; `is` has become an equals sign.
+    let parted = |bound| {
+        let verbs = VERBS.iter().map(|verb| format!(" {verb} "));
+        let mut signs = verbs.chain(["=".to_owned()]);
+        signs
+            .find_map(|sign| str::split_once(bound, &sign))
+            .unwrap_or(("", bound))
+    };
+    let limit = || {
+        let mut found = LIMITS.iter();
+        found.find_map(|(word, is_less)| {
+            let bound = text.strip_prefix(word)?.strip_prefix(' ')?;
+            let is_number = bound
+                .trim_start()
+                .starts_with(|first: char| first.is_ascii_digit());
+            is_number.then(|| chain("", *is_less, bound))
+        })
+    };
+    let either_way = || {
+        let bound = text
+            .rsplit_once(['=', ':'])
+            .map_or(text, |(_, bound)| bound);
+        let bound = bound
+            .trim()
+            .strip_prefix('±')
+            .filter(|bound| !bound.contains('±'))?;
+        Some(Said::Within {
+            bound: Passage::of(bound),
+            open: None,
+        })
+    };
     from.or_else(|| {
         let mut found = ONWARDS.iter();
-        found.find_map(|(words, is_less)| Some(chain("", *is_less, text.strip_suffix(words)?)))
+        found.find_map(|(words, is_less)| {
+            let (lead, bound) = parted(text.strip_suffix(words)?);
+            Some(chain(lead, *is_less, bound))
+        })
     })
+    .or_else(limit)
+    .or_else(either_way)
 }
 
 /// `from 0.2 to 0.5 m`, `x between 0.2 and 0.5`, `0.2 … 0.5` and `0.2-0.5`.
@@ -424,11 +575,18 @@ fn range(text: &str) -> Option<Said<'_>> {
         (is_value(low) && is_value(high)).then_some((lead, low, high))
     };
     let (lead, low, high) = in_words.or_else(in_signs)?;
+    // `from 0.2 (excluded) to 0.5 (included)`
+    let ends = [low, high].map(without_said_ends);
+    let open = match ends {
+        [(_, Some(low)), (_, Some(high))] => Some([low, high]),
+        [(_, None), (_, None)] => None,
+        _ => return None,
+    };
     let lead = Passage::of(lead.trim().trim_end_matches(['=', ':']));
     Some(Said::Interval {
         subject: Some(lead).filter(|lead| !lead.is_empty()),
-        ends: [Passage::of(low), Passage::of(high)],
-        open: None,
+        ends: ends.map(|(end, _)| Passage::of(end)),
+        open,
     })
 }
 

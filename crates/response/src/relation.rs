@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use super::letters::Letters;
+use super::letters::{Letters, letter};
 
 /// The components that a relation between all of them gives, as a list; none where it is none, or more than one thing is
 /// said.
@@ -158,7 +158,7 @@ impl Names {
     /// have indices too, name none.
     pub(crate) fn first_in(&self, text: &str) -> Option<(Range<usize>, usize)> {
         const STEMS: &[&str] = &[
-            "x", "X", "y", "Y", "u", "U", "q", "Q", "a", "A", "\\theta", "theta", "θ", "Θ",
+            "x", "X", "y", "Y", "u", "U", "q", "Q", "a", "A", "B", "\\theta", "theta", "θ", "Θ",
             "\\varphi", "\\phi", "phi", "φ", "ϕ", "Φ",
         ];
         let is_letter = |char: char| char.is_alphabetic() || char == '\\';
@@ -223,10 +223,62 @@ pub(crate) fn ratio_as_list(typed: &str) -> String {
         commas.all(|at| typed[..at].ends_with(digit) && typed[at + 1..].starts_with(digit));
     let is_label =
         |(at, _): (usize, &str)| typed[at + 1..].trim_start().starts_with(['(', '[', '{']);
+    // `1 : -1 : 0; 1 : 1 : -2` are several.
+    let ratios: Vec<&str> = typed.split(';').map(str::trim).collect();
+    let is_ratio = |ratio: &&str| {
+        let is_of_numbers = |char: char| char.is_ascii_digit() || ".+-/: ".contains(char);
+        ratio.contains(':') && ratio.chars().all(is_of_numbers)
+    };
+    if ratios.len() > 1 && ratios.iter().all(is_ratio) {
+        let vectors = ratios
+            .iter()
+            .map(|ratio| format!("({})", ratio.replace(':', ", ")));
+        return vectors.collect::<Vec<_>>().join(", ");
+    }
     if has_decimals && !typed.contains(';') && !typed.match_indices(':').any(is_label) {
         return typed.replace(':', ";");
     }
     typed.to_owned()
+}
+
+/// A list of multiples of one letter, `(α, -2α)`, with one for the letter: a shape has any scale.
+pub(crate) fn without_common_letter(typed: &str) -> Option<String> {
+    let start = typed.rfind('=').map_or(0, |at| at + 1);
+    let list = &typed[start..];
+    let (mut plain, mut common, mut rest) = (String::new(), None, list);
+    while let Some(first) = rest.chars().next() {
+        let Some((length, name)) = letter(rest).filter(|_| !first.is_ascii_digit()) else {
+            let is_of_list = first.is_ascii_digit() || " .,;()[]{}+-*/".contains(first);
+            plain.push(first);
+            rest = is_of_list.then(|| &rest[first.len_utf8()..])?;
+            continue;
+        };
+        let behind = rest[length..].trim_start();
+        let is_below = plain.trim_end().ends_with('/') || behind.starts_with(['^', '(', '_', '\'']);
+        if is_below
+            || behind.starts_with(char::is_alphanumeric)
+            || *common.get_or_insert(name.clone()) != name
+        {
+            return None;
+        }
+        plain.push_str("(1)");
+        rest = &rest[length..];
+    }
+    let is_zero = |entry: &str| entry.trim_matches(['(', ')', '[', ']', ' ']) == "0";
+    let inner = plain.trim().trim_matches(['(', '[', '{', ')', ']', '}']);
+    let is_entry = |entry: &str| entry.contains('1') && !is_sum(entry, None) || is_zero(entry);
+    let is_whole = list.trim().starts_with(['(', '[', '{']) && !inner.is_empty();
+    let are_multiples = list
+        .split([',', ';'])
+        .all(|entry| entry.contains(char::is_alphabetic) || is_zero(entry));
+    let entries = plain.split([',', ';']);
+    // `(1 m, -4 m)` has units.
+    let is_bare = |entry: &str| {
+        entry.contains(char::is_alphabetic) && !entry.contains(|char: char| char.is_ascii_digit())
+    };
+    let is_whole = is_whole && list.split([',', ';']).any(is_bare);
+    (common.is_some() && is_whole && are_multiples && entries.clone().all(is_entry))
+        .then(|| format!("{}{plain}", &typed[..start]))
 }
 
 #[cfg(test)]
@@ -235,6 +287,27 @@ mod tests {
 
     fn components_of(typed: &str, width: usize) -> Option<String> {
         super::components_of(typed, width, &Names::default())
+    }
+
+    #[test]
+    fn multiples_of_one_letter_have_it_for_a_scale() {
+        for (typed, plain) in [
+            ("(α, -α)", Some("((1), -(1))")),
+            ("u2 = [A; -2 A]", Some("u2 = [(1); -2 (1)]")),
+            ("(theta, 0)", Some("((1), 0)")),
+            ("(A, -B)", None),
+            ("(A, 1)", None),
+            ("(A, A^2)", None),
+            ("(A, 1/A)", None),
+            ("(A1, A2)", None),
+            ("(1, -1)", None),
+        ] {
+            assert_eq!(
+                super::without_common_letter(typed).as_deref(),
+                plain,
+                "{typed}"
+            );
+        }
     }
 
     #[test]

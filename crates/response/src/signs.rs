@@ -25,7 +25,7 @@ pub(crate) fn of_char(char: char) -> Option<Plain> {
         '÷' | '∕' | '⁄' => "/",
         // Equal by definition; nearly equal.
         '≡' | '≔' | '≝' => "=",
-        '≃' | '≅' | '≐' | '≒' | '≑' | '⩰' => "≈",
+        '∼' | '≃' | '≅' | '≐' | '≒' | '≑' | '⩰' => "≈",
         // At most, at least.
         '⩽' | '≦' => "≤",
         '⩾' | '≧' => "≥",
@@ -261,6 +261,8 @@ pub(crate) const COMMANDS: &[(&str, Plain)] = &[
     ("qquad", Text(" ")),
     ("dfrac", Text("\\frac")),
     ("tfrac", Text("\\frac")),
+    ("dbinom", Text("\\binom")),
+    ("tbinom", Text("\\binom")),
     ("cfrac", Text("\\frac")),
     ("nicefrac", Text("\\frac")),
     ("sfrac", Text("\\frac")),
@@ -338,6 +340,10 @@ pub(crate) const UNITS: &[(&str, &str)] = &[
     ("tesla", "tesla "),
     ("ohm", "ohm "),
     ("percent", "%"),
+    ("mm", "mm "),
+    ("cm", "cm "),
+    ("kg", "kg "),
+    ("Hz", "Hz "),
 ];
 
 /// Environments that only set formulas off; their rows are statements.

@@ -547,7 +547,7 @@ fn begins_value(text: &str) -> bool {
     text.starts_with(|first: char| first.is_ascii_digit() || "-.".contains(first))
 }
 
-fn moved(span: Span, by: usize) -> Span {
+pub(crate) fn moved(span: Span, by: usize) -> Span {
     Span::new(span.range().start + by, span.range().end + by)
 }
 
@@ -692,7 +692,7 @@ impl Definition {
 }
 
 /// What stands before the first equals sign of a statement.
-fn label(text: &str, statement: Span) -> Option<Span> {
+pub(crate) fn label(text: &str, statement: Span) -> Option<Span> {
     let start = statement.range().start;
     let end = text[statement.range()].find(['=', '≈'])?;
     let label = trimmed(text, Span::new(start, start + end));
@@ -702,6 +702,11 @@ fn label(text: &str, statement: Span) -> Option<Span> {
 /// The statements of a text, each but the first with an equals sign; the text where it is one. What is only compared
 /// with a statement, `ω = √(k/m) < ω_0`, is none.
 fn statements(text: &str) -> Vec<Span> {
+    statements_by(text, word_at)
+}
+
+/// The same with other words that join statements, by their length.
+pub(crate) fn statements_by(text: &str, joint_at: impl Fn(&str) -> Option<usize>) -> Vec<Span> {
     const RELATIONS: [char; 4] = ['<', '>', '≤', '≥'];
     let whole = vec![Span::new(0, text.len())];
     if !text.contains(['=', '≈']) {
@@ -720,7 +725,8 @@ fn statements(text: &str) -> Vec<Span> {
         ';' | '\n' => true,
         '/' => is_before_sibling(text, at, first),
         ',' => !is_decimal(at),
-        ' ' => word_at(&text[at + 1..]).is_some(),
+        ' ' => joint_at(&text[at + 1..]).is_some(),
+        ':' => joint_at(&text[at..]).is_some(),
         char => RELATIONS.contains(&char),
     };
     let parts = [Some(Span::new(0, before)), bracketed]
@@ -730,7 +736,7 @@ fn statements(text: &str) -> Vec<Span> {
     for piece in parts.flat_map(|part| cut_where(text, part, is_end)) {
         let mut own = trimmed(text, piece);
         // `, where ω = …`
-        while let Some(length) = word_at(&text[own.range()]).filter(|_| !found.is_empty()) {
+        while let Some(length) = joint_at(&text[own.range()]).filter(|_| !found.is_empty()) {
             own = trimmed(text, Span::new(own.range().start + length, own.range().end));
         }
         // `, i.e. x'' = …`
@@ -777,7 +783,7 @@ fn is_before_sibling(text: &str, at: usize, first: &str) -> bool {
 }
 
 /// The length of the word with which a text begins and that joins statements.
-fn word_at(text: &str) -> Option<usize> {
+pub(crate) fn word_at(text: &str) -> Option<usize> {
     let is_it = |word: &&&str| {
         let behind = text.strip_prefix(**word);
         behind.is_some_and(|behind| behind.starts_with([' ', ',', ':']))

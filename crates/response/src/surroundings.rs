@@ -10,7 +10,7 @@ use std::ops::Range;
 
 use self::after::trail;
 use self::around::{bracketed, fence, program, quotes};
-use self::before::{bullet, definition, described, lead, named_equation};
+use self::before::{bullet, definition, described, lead, named_equation, remark_before};
 use self::circumstance::circumstance;
 pub(crate) use self::numbered::enumeration;
 use self::numbered::number_of_item;
@@ -28,6 +28,7 @@ pub(crate) fn answer_in(typed: &str) -> Range<usize> {
         let inner = lead(text)
             .or_else(|| described(text))
             .or_else(|| named_equation(text))
+            .or_else(|| remark_before(text))
             .or_else(|| bullet(text))
             .or_else(|| definition(text))
             .or_else(|| number_of_item(text))

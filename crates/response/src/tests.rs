@@ -228,10 +228,12 @@ fn ranges_are_read_in_signs_and_words() {
                     let [low, high] = ends.map(Passage::text);
                     format!("{subject}:{low};{high}{open:?}")
                 }
+                Said::Within { bound, open } => format!("±{}{open:?}", bound.text()),
             };
             said + &units
         };
-        match Ranges::read(Passage::of(&folded(text)), DecimalMark::Point) {
+        let asked = Wording::of("For which x does the block stay at rest?");
+        match Ranges::read(Passage::of(&folded(text)), DecimalMark::Point, &asked) {
             Ok(Ranges::SideBySide(conditions)) => {
                 let told: Vec<String> = conditions.iter().map(told).collect();
                 told.join(" ? ")
@@ -251,6 +253,28 @@ fn ranges_are_read_in_signs_and_words() {
         ("0.1 m <= x < b", "0.1 m≤x<b".to_owned()),
         ("U >= 3 V", "U≥3 V".to_owned()),
         (">= 3", "≥3".to_owned()),
+        ("for all x >= 3", "x≥3".to_owned()),
+        ("the block stays if x >= 3 m", "x≥3 m".to_owned()),
+        ("x must not exceed 3", "x≤3".to_owned()),
+        ("x must be 3 or larger", "x≥3".to_owned()),
+        ("3 and above", "≥3".to_owned()),
+        ("max. 3 m", "≤3 m".to_owned()),
+        ("x above 3 (included)", "x≥3".to_owned()),
+        (
+            "from 1 m (excluded) to 2 m (included)",
+            ":1 m;2 mSome([true, false])".to_owned(),
+        ),
+        (
+            "x between 1 and 2 (both included)",
+            format!("x:1;2{CLOSED}"),
+        ),
+        ("± 3 m", "±3 mNone".to_owned()),
+        (
+            "more than 1 m but not more than 2 m",
+            ">1 m & ≤2 m".to_owned(),
+        ),
+        ("x_min = 3, so x ≥ 3", "x≥3".to_owned()),
+        ("And(x >= 1, x <= 2)", "x≥1 ? x≤2".to_owned()),
         ("x < 1 or x > 2 and x < 3", "x<1 | x>2 & x<3".to_owned()),
         ("x > 1, x < 3", "x>1 ? x<3".to_owned()),
         ("x > 1,5; x < 3", "x>1,5 ? x<3".to_owned()),

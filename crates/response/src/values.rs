@@ -203,7 +203,8 @@ impl<'t> Values<'t> {
         let mut sides = self.cut(part, |item| matches!(item, Item::Sign('=' | ':')));
         sides.retain(|side| !side.is_empty());
         // Only a name may stand before a colon.
-        if self.has(part, ':') && !sides.first().is_some_and(|first| self.is_name(first)) {
+        let is_name = |first: &Part| self.is_name(&self.unit_beside_name(first).0);
+        if self.has(part, ':') && !sides.first().is_some_and(is_name) {
             unequal = Some(':');
         }
         if sides.is_empty() {
@@ -225,7 +226,10 @@ impl<'t> Values<'t> {
         else {
             return None;
         };
-        let is_stated = self.has(value, '=') && !self.has(other, '=');
+        // `3 N > 0` says the sign again.
+        let is_zero = |token: &Token| matches!(&token.item, Item::Number(zero) if zero.is_zero());
+        let is_sign = matches!(&self.tokens[other.clone()], [token] if is_zero(token));
+        let is_stated = (self.has(value, '=') || is_sign) && !self.has(other, '=');
         is_stated.then(|| (value.clone(), *sign, other.clone()))
     }
 
@@ -285,12 +289,31 @@ impl<'t> Values<'t> {
             }
             depth == 0
         })?;
-        let is_value = |token: &Token| matches!(token.item, Item::Number(_) | Item::Unit(_));
+        let is_value = |token: &Token| match &token.item {
+            Item::Leaf(leaf) => matches!(leaf.kind(), Kind::Constant(_)),
+            item => matches!(item, Item::Number(_) | Item::Unit(_)),
+        };
         let before = open
             .checked_sub(1)
             .filter(|at| part.contains(at) && is_value(&self.tokens[*at]))?;
         let last = part.end.checked_sub(1).filter(|last| *last > open)?;
         Some((part.start..before + 1, open + 1..last))
+    }
+
+    /// Whether another part is the unit once more in which a value ends, `s (second)`.
+    pub fn is_unit_again(&self, value: &Part, other: &Part) -> bool {
+        let unit = |item: Option<&Item>| match item {
+            Some(Item::Unit(unit)) => Some(**unit),
+            _ => None,
+        };
+        match (unit(self.items(value).next_back()), self.unit(other)) {
+            (Some(own), Some(other)) => {
+                own.dimension() == other.dimension()
+                    && own.to_si(1.0) == other.to_si(1.0)
+                    && own.angles() == other.angles()
+            }
+            _ => false,
+        }
     }
 
     /// The unit that makes up a part.
@@ -324,10 +347,28 @@ impl<'t> Values<'t> {
                     parts.push(start..at + 1);
                     start = at + 1;
                 }
+                // The unit of all of them.
+                token if matches!(token.item, Item::Unit(_)) && at + 1 == part.end => {
+                    parts.last_mut()?.end = part.end;
+                    start = part.end;
+                }
                 _ => return None,
             }
         }
         (start == part.end && parts.len() > 1).then_some(parts)
+    }
+
+    /// A number without the unit after it.
+    pub fn without_unit(&self, part: &Part) -> Part {
+        let has_unit = matches!(self.items(part).next_back(), Some(Item::Unit(_)));
+        part.start..part.end - usize::from(has_unit)
+    }
+
+    /// The values that signs of ascending order part, `5 < 8.7 < 9`.
+    pub fn ascending(&self, part: &Part) -> Option<Vec<Part>> {
+        let pieces = self.cut(part, |item| *item == Item::Sign('<'));
+        let is_value = |piece: &Part| self.has_number(piece) && !self.is_name(piece);
+        (pieces.len() > 1 && pieces.iter().all(is_value)).then_some(pieces)
     }
 
     /// Numbers with their units or after names, parted by spaces alone: `5 rad/s 8.7 rad/s`, `a = 5 b = 8.7`.
@@ -471,12 +512,24 @@ impl<'t> Values<'t> {
             [.., slash, open, unit, close] if is(slash, '/') && is(open, '(') && is(close, ')') => {
                 Some((unit, 4))
             }
-            [.., open, unit, close]
-                if is(open, '(') && is(close, ')') || is(open, '[') && is(close, ']') =>
-            {
-                Some((unit, 3))
+            [.., open, unit, close] if is(open, '[') && is(close, ']') => {
+                return match &unit.item {
+                    Item::Unit(unit) if tokens.len() > 3 => {
+                        (part.start..part.end - 3, Some(**unit))
+                    }
+                    _ => (part.clone(), None),
+                };
             }
-            [.., word, unit] if word.item == Item::Word("in") || is(word, '/') => Some((unit, 2)),
+            [.., open, unit, close] if is(open, '(') && is(close, ')') => Some((unit, 3)),
+            [.., word, unit] if word.item == Item::Word("in") => {
+                return match &unit.item {
+                    Item::Unit(unit) if tokens.len() > 2 => {
+                        (part.start..part.end - 2, Some(**unit))
+                    }
+                    _ => (part.clone(), None),
+                };
+            }
+            [.., word, unit] if is(word, '/') => Some((unit, 2)),
             _ => None,
         };
         let unit = found.and_then(|(token, length)| match &token.item {

@@ -1,5 +1,14 @@
 //! The tables of words that join, measure or count, other languages beside English.
 
+mod choices;
+mod ranges;
+
+pub(crate) use self::choices::{
+    ANNOUNCEMENTS, ARTICLES, CLAUSES, DENIALS, DOUBTS, FILLERS, PREFIXES, RUNS_OF_WORDS, STRESSES,
+    SUFFIXES, SYNONYMS, THINGS,
+};
+pub(crate) use self::ranges::{CONDITIONS, ENDS, LIMITS, ONWARDS, RANGES, RANKS, UNBOUNDED};
+
 /// What a word stands for that may stand last.
 pub(crate) const PERCENT: &str = "%";
 
@@ -20,6 +29,27 @@ pub(crate) const WORDS: &[(&str, &str)] = &[
     ("no greater than", "≤"),
     ("not larger than", "≤"),
     ("no larger than", "≤"),
+    ("greater or equal to", "≥"),
+    ("greater or equal", "≥"),
+    ("larger or equal", "≥"),
+    ("less or equal to", "≤"),
+    ("less or equal", "≤"),
+    ("smaller or equal", "≤"),
+    ("strictly greater than", ">"),
+    ("strictly larger than", ">"),
+    ("strictly less than", "<"),
+    ("strictly smaller than", "<"),
+    ("must not exceed", "≤"),
+    ("should not exceed", "≤"),
+    ("may not exceed", "≤"),
+    ("does not exceed", "≤"),
+    ("cannot exceed", "≤"),
+    ("must exceed", ">"),
+    ("has to exceed", ">"),
+    ("exceeds", ">"),
+    ("bigger than or equal to", "≥"),
+    ("bigger or equal", "≥"),
+    ("bigger than", ">"),
     ("greater than", ">"),
     ("larger than", ">"),
     ("more than", ">"),
@@ -54,6 +84,7 @@ pub(crate) const WORDS: &[(&str, &str)] = &[
     ("kleiner als", "<"),
     ("mindestens", "≥"),
     ("höchstens", "≤"),
+    ("percent", PERCENT),
     ("per cent", PERCENT),
     ("pour cent", PERCENT),
     ("Prozent", PERCENT),
@@ -187,6 +218,18 @@ pub(crate) const LEADS: &[&str] = &[
     "i guess",
     "maybe",
     "probably",
+    "from above",
+    "i.e.",
+    "e.g.",
+    "for example",
+    "for instance",
+    "after",
+    "tends to",
+    "it tends to",
+    "goes to",
+    "it goes to",
+    "the ratio is",
+    "ratio",
     "which is",
     "which equals",
     "it equals",
@@ -408,6 +451,23 @@ pub(crate) const TRAILS: &[&str] = &[
     "QED",
     "q.e.d.",
     ", rounded",
+    ", see above",
+    "- see above",
+    "see above",
+    "from the formula above",
+    "using SI units",
+    "rounded",
+    "for this case",
+    "in this case",
+    "at equilibrium",
+    "at the top",
+    "at the bottom",
+    "at the lowest point",
+    "at the highest point",
+    "at the start",
+    "after the start",
+    "without unit",
+    "without units",
     ", t in s",
     ", t in seconds",
 ];
@@ -464,6 +524,27 @@ pub(crate) const TURNING: &[&str] = &[
     "modulo",
 ];
 
+/// Words after a value with a minus that say no more than the minus.
+pub(crate) const OF_MINUS: &[&str] = &[
+    "negative",
+    "compressed",
+    "compression",
+    "shortened",
+    "shortening",
+    "lagging",
+    "left",
+];
+
+/// Spellings of a unit under a root after a list, and what is read.
+pub(crate) const ROOTED_UNITS: &[(&str, &str)] = &[
+    ("1/sqrt(kg)", "kg^(-1/2)"),
+    ("1/√(kg)", "kg^(-1/2)"),
+    ("1/√kg", "kg^(-1/2)"),
+    ("/sqrt(kg)", " kg^(-1/2)"),
+    ("/√(kg)", " kg^(-1/2)"),
+    ("/√kg", " kg^(-1/2)"),
+];
+
 /// Marks after an answer that is meant to be right, with or without a space.
 pub(crate) const SEALS: &[&str] = &[
     "✓",
@@ -478,8 +559,8 @@ pub(crate) const SEALS: &[&str] = &[
 
 /// Words with which a reason begins after an answer; the short ones after a comma alone.
 pub(crate) const REASONS: &[&str] = &[
-    "because", "since", "as", "weil", "da", "denn", "puisque", "parce", "car", "porque", "ya que",
-    "perché", "poiché",
+    "because", "since", "so that", "as", "weil", "da", "denn", "puisque", "parce", "car", "porque",
+    "ya que", "perché", "poiché",
 ];
 
 /// What is said before or after a response that is not meant.
@@ -522,7 +603,14 @@ pub(crate) const REMARKS: &[&str] = &[
     "upper",
     "underdamped",
     "overdamped",
+    "critically damped",
+    "stable",
+    "unstable",
     "constant",
+    "all equal",
+    "both equal",
+    "rigid body translation",
+    "rigid-body translation",
     "any combination",
     "any multiple",
     "or any multiple",
@@ -530,6 +618,7 @@ pub(crate) const REMARKS: &[&str] = &[
 
 /// Words of a remark in brackets after an answer, `(to 3 s.f.)`, `(in SI units)`.
 pub(crate) const ASIDES: &[&str] = &[
+    "correct",
     "approx",
     "approx.",
     "approximately",
@@ -576,135 +665,6 @@ pub(crate) const ASIDES: &[&str] = &[
     "ca.",
     "Einheiten",
 ];
-
-/// Small numbers as words.
-const COUNTS: &[(&str, u8)] = &[
-    ("zero", 0),
-    ("one", 1),
-    ("two", 2),
-    ("three", 3),
-    ("four", 4),
-    ("five", 5),
-    ("six", 6),
-    ("seven", 7),
-    ("eight", 8),
-    ("nine", 9),
-    ("ten", 10),
-    ("eleven", 11),
-    ("twelve", 12),
-    ("thirteen", 13),
-    ("fourteen", 14),
-    ("fifteen", 15),
-    ("sixteen", 16),
-    ("seventeen", 17),
-    ("eighteen", 18),
-    ("nineteen", 19),
-    ("twenty", 20),
-    ("un", 1),
-    ("deux", 2),
-    ("trois", 3),
-    ("quatre", 4),
-    ("cinq", 5),
-    ("sept", 7),
-    ("huit", 8),
-    ("neuf", 9),
-    ("dix", 10),
-    ("eins", 1),
-    ("zwei", 2),
-    ("drei", 3),
-    ("vier", 4),
-    ("fünf", 5),
-    ("sechs", 6),
-    ("sieben", 7),
-    ("acht", 8),
-    ("neun", 9),
-    ("zehn", 10),
-];
-
-/// What is counted in this field, the longer words before those with which they end. Cycles and half-cycles are missing:
-/// three of the ones are six of the others.
-const COUNTED: &[&str] = &[
-    "degrees of freedom",
-    "degree of freedom",
-    "degrés de liberté",
-    "degré de liberté",
-    "freiheitsgrade",
-    "freiheitsgrad",
-    "dofs",
-    "dof",
-    "ddl",
-    "independent coordinates",
-    "coordinates",
-    "independent constraints",
-    "constraints",
-    "constraint",
-    "equations",
-    "pairs",
-    "modes",
-];
-
-/// A count in digits without what is counted: `two degrees of freedom` is `2`; none where nothing of that was typed.
-pub(crate) fn count_in_digits(typed: &str) -> Option<String> {
-    let text = typed.trim().trim_end_matches(['.', '!']);
-    let without = |what: &&str| {
-        let (before, tail) = text.split_at_checked(text.len().checked_sub(what.len())?)?;
-        let is_it = tail.eq_ignore_ascii_case(what) && before.ends_with(' ');
-        is_it
-            .then(|| before.trim_end())
-            .filter(|before| !before.is_empty())
-    };
-    let alone = COUNTED.iter().find_map(without);
-    let count = alone.unwrap_or(text);
-    let last = count.rsplit([' ', '=', ':']).next().unwrap_or(count);
-    let number = COUNTS
-        .iter()
-        .find(|(word, _)| last.eq_ignore_ascii_case(word));
-    match number {
-        Some((_, number)) => Some(format!("{}{number}", &count[..count.len() - last.len()])),
-        None => alone.map(str::to_owned),
-    }
-}
-
-/// An integer without the remark in brackets after it, `3 (x, y, z)`; a factor has no letters, and a remark that leaves
-/// a choice or takes back is none.
-pub(crate) fn before_remark(text: &str) -> Option<&str> {
-    let (before, remark) = text.strip_suffix(')')?.split_once(" (")?;
-    let mut words = remark.split(|char: char| !char.is_alphabetic());
-    let is_doubt = |word: &str| {
-        [
-            "or", "not", "oder", "maybe", "perhaps", "wrong", "if", "per", "each", "times",
-        ]
-        .contains(&vibank_source::lower(word).as_str())
-    };
-    let is_remark = remark.contains(char::is_alphabetic) && !words.any(is_doubt);
-    (before.ends_with(|last: char| last.is_ascii_digit()) && is_remark).then_some(before)
-}
-
-/// The word for what is counted, after a number: `2 periods`.
-pub(crate) fn counted(value: &str) -> Option<&str> {
-    const WORDS: [&str; 16] = [
-        "period",
-        "periods",
-        "oscillation",
-        "oscillations",
-        "vibrations",
-        "swings",
-        "times",
-        "dof",
-        "dofs",
-        "degree of freedom",
-        "degrees of freedom",
-        "half-cycles",
-        "half cycles",
-        "modes",
-        "coordinates",
-        "positions",
-    ];
-    let word = value.trim_start_matches(|char: char| !char.is_alphabetic());
-    WORDS
-        .contains(&word.to_ascii_lowercase().as_str())
-        .then_some(word)
-}
 
 /// Roots in other languages, before a bracket.
 pub(crate) const ROOTS: &[&str] = &[
@@ -756,6 +716,19 @@ pub(crate) const EQUATIONS: &[&str] = &["Eq", "sp.Eq", "sympy.Eq", "Equal", "Equ
 /// Words that join values, also where they are set as text within a formula.
 pub(crate) const JOINING: &[&str] = &["and", "or", "et", "ou", "und", "oder", "in", "at", "cis"];
 
+/// Words before what says where a value holds, `at x = 0`.
+pub(crate) const PLACES: &[&str] = &["at", "for", "when", "where", "if"];
+
+/// Words before what follows from what stands before them.
+pub(crate) const CONCLUSIONS: &[&str] = &[
+    "we get ",
+    "we obtain ",
+    "we find ",
+    "we have ",
+    "gives ",
+    ": ",
+];
+
 /// Words that join statements: before what a letter is, and before what follows.
 pub(crate) const STATEMENTS: &[&str] = &[
     "with",
@@ -796,59 +769,6 @@ pub(crate) const RATES: &[CustomaryRates] = &[
     (&["q"], &[("i", 1)]),
 ];
 
-/// Words before the option that is chosen.
-pub(crate) const ANNOUNCEMENTS: &[&str] = &[
-    "the answer is",
-    "answer is",
-    "answer",
-    "option",
-    "choice",
-    "letter",
-    "only",
-];
-
-/// Words that say nothing within an option.
-pub(crate) const ARTICLES: &[&str] = &["the", "a", "an"];
-
-/// Words that deny what an option says, or say more.
-pub(crate) const DENIALS: &[&str] = &[
-    "not", "no", "never", "without", "neither", "nor", "and", "or",
-];
-
-/// What is asked about, as people name it beside their choice.
-pub(crate) const THINGS: &[&str] = &[
-    "motion",
-    "system",
-    "oscillator",
-    "oscillation",
-    "regime",
-    "response",
-    "equilibrium",
-    "position",
-    "damping",
-    "displacement",
-    "coupling",
-    "behind",
-    "case",
-    "it",
-    "this",
-    "they",
-];
-
-/// Words before a condition.
-pub(crate) const CONDITIONS: &[&str] = &[
-    "for",
-    "if",
-    "when",
-    "whenever",
-    "only if",
-    "provided",
-    "provided that",
-    "as long as",
-    "wenn",
-    "falls",
-];
-
 /// Words before what says when or where an answer holds, `at x = 0`.
 pub(crate) const CIRCUMSTANCES: &[&str] = &[
     "at", "for", "when", "whenever", "where", "if", "bei", "für", "wenn", "wo", "pour", "quand",
@@ -881,38 +801,6 @@ pub(crate) const SOURCES: &[&str] = &[
     "par",
     "d'après",
     "selon",
-];
-
-/// Words around the two ends of a range.
-pub(crate) const RANGES: &[(&str, &str)] = &[
-    ("from ", " to "),
-    ("between ", " and "),
-    ("von ", " bis "),
-    ("zwischen ", " and "),
-    ("entre ", " and "),
-    ("de ", " à "),
-];
-
-/// What comes after the lower end of a range that has no upper one.
-pub(crate) const UNBOUNDED: &[&str] = &[
-    " on",
-    " onwards",
-    " upwards",
-    " to ∞",
-    " to infinity",
-    " to inf",
-];
-
-/// What comes after the one end of a range, and whether that is the upper one.
-pub(crate) const ONWARDS: &[(&str, bool)] = &[
-    (" or more", false),
-    (" or greater", false),
-    (" or larger", false),
-    (" or above", false),
-    (" or less", true),
-    (" or smaller", true),
-    (" or lower", true),
-    (" or below", true),
 ];
 
 /// Modules and objects of programs before the names of functions.

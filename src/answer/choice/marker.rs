@@ -10,7 +10,7 @@ use crate::answer::{
 use crate::document::Document;
 use crate::math::Math;
 use crate::numerics::Rational;
-use crate::response::{Passage, Phrase};
+use crate::response::{Passage, Phrase, Wording};
 
 /// The options `yes` and `no`, and those that other languages have nearly alike, in other words.
 const ASSENTS: [(&str, &[&str]); 4] = [
@@ -45,6 +45,13 @@ pub(crate) struct Options {
     pub(crate) sources: Vec<Phrase>,
     /// As they are printed.
     pub(crate) texts: Vec<String>,
+    /// What the words mean, without and with those of the ids.
+    pub(crate) meanings: Vec<Wording>,
+    pub(crate) named: Vec<Wording>,
+    /// Their own words, with those of the ids.
+    pub(crate) literal: Vec<Wording>,
+    /// The words of the question, which say nothing beside an option.
+    pub(crate) asked: Wording,
     pub(crate) feedback: Vec<Option<Document>>,
 }
 
@@ -223,6 +230,87 @@ impl Chosen {
         })
     }
 
+    /// The only option that words mean, in their order; of several the one that bears a letter beside them. As they stand
+    /// they come before words of the same meaning.
+    fn of_meaning(&self, words: &Phrase, letter: Option<usize>) -> Option<usize> {
+        let text = words.typed();
+        let options = &self.options;
+        self.of_wording(&Wording::literal(text), &options.literal, letter)
+            .or_else(|| self.of_wording(&Wording::of(text), &options.named, letter))
+    }
+
+    fn of_wording(
+        &self,
+        words: &Wording,
+        named: &[Wording],
+        letter: Option<usize>,
+    ) -> Option<usize> {
+        let options = &self.options;
+        let known = words.known_among(named, &options.asked)?;
+        if known.is_empty() {
+            return None;
+        }
+        if let Some(letter) = letter {
+            return known.is_within(&named[letter]).then_some(letter);
+        }
+        let found = self.only(|place| known.is_same(&options.meanings[place]));
+        let found = found.or_else(|| self.only(|place| known.is_run_of(&named[place])));
+        let found = found.or_else(|| self.only(|place| known.is_within(&named[place])))?;
+        let others = (0..options.ids.len()).filter(|place| *place != found);
+        let others: Vec<&Wording> = others.map(|place| &named[place]).collect();
+        (!known.leaves_out(&named[found], &others)).then_some(found)
+    }
+
+    /// The option that is chosen in one's own words, with a reason or with what it is not: `ζ > 1, overdamped`,
+    /// `elastic, not viscous`, `c) in series`.
+    fn of_clauses(&self, typed: &Phrase) -> Option<usize> {
+        /// Nobody explains a choice at this length.
+        const MAX_LENGTH: usize = 300;
+        if !typed.passage().is_shorter_than(MAX_LENGTH) {
+            return None;
+        }
+        let options = &self.options;
+        let relate = options.words.iter().any(Phrase::relate);
+        let (mut said, mut letter, mut denied) = (None::<Phrase>, None, Vec::new());
+        for clause in typed.clauses() {
+            if clause.compare() && !relate {
+                continue;
+            }
+            if let Some(other) = clause.denied() {
+                let place = self.of_letter(&other);
+                denied.push(place.or_else(|| self.of_meaning(&other, None))?);
+                continue;
+            }
+            let is_open = clause.are_doubtful() || clause.wording().denies();
+            let (own, words) = match clause.lettered() {
+                Some((own, words)) if self.agrees(&own, &words) => (own, words),
+                _ if clause.letter().is_some() => (clause, Phrase::of("")),
+                _ => (Phrase::of(""), clause),
+            };
+            if let Some(place) = self.of_letter(&own)
+                && letter.replace(place).is_some_and(|before| before != place)
+            {
+                return None;
+            }
+            if words.wording().touches(&options.named) {
+                said = Some(said.map_or_else(|| words.clone(), |said| said.and(&words)));
+            } else if is_open {
+                return None;
+            }
+        }
+        let found = match said {
+            Some(said) => self.of_meaning(&said, letter)?,
+            None => letter?,
+        };
+        (!denied.contains(&found)).then_some(found)
+    }
+
+    /// Whether a letter and words are of one option.
+    fn agrees(&self, letter: &Phrase, words: &Phrase) -> bool {
+        let place = self.of_letter(letter);
+        place.is_some_and(|place| self.of_meaning(words, Some(place)).is_some())
+    }
+
     /// All that was typed, or what of it is not an option.
     fn places(&self, response: Passage<'_>) -> Result<Vec<usize>, String> {
         let response = response.words().without_face();
@@ -239,6 +327,8 @@ impl Chosen {
             .place(&response)
             .or_else(|| self.place(&response.said()?))
             .or_else(only);
+        let is_one = !self.is_several && !self.is_ranking;
+        let place = place.or_else(|| self.of_clauses(&response).filter(|_| is_one));
         if let Some(place) = place {
             return Ok(vec![place]);
         }

@@ -26,7 +26,7 @@ use self::marker::{Chosen, Options};
 use super::{Answer, AnswerError, Asked, Blank, Choosable, Choosing, Context, Declare, Marker};
 use crate::document::Document;
 use crate::quantity::{Absent, NodeId};
-use crate::response::Phrase;
+use crate::response::{Phrase, Wording};
 use crate::source::{Data, Table, Text, Value};
 
 #[derive(Debug)]
@@ -36,6 +36,8 @@ struct ChoiceAnswer {
     sources: Vec<String>,
     rights: Vec<Right>,
     feedback: Vec<Option<Document>>,
+    /// The words of the question.
+    asked: Wording,
     /// As they are compared with responses, once one was marked.
     compared: OnceLock<Arc<Options>>,
     is_several: bool,
@@ -96,6 +98,10 @@ pub(crate) fn read(part: &Table<'_>, declare: &mut dyn Declare) -> Option<Box<dy
         sources,
         rights,
         feedback,
+        asked: part
+            .text("ask")
+            .map(|ask| Wording::of_question(&ask.value).with_things())
+            .unwrap_or_default(),
         compared: OnceLock::new(),
         is_several,
         is_ranking,
@@ -127,9 +133,21 @@ impl ChoiceAnswer {
         let texts: Vec<String> = options
             .map(|option| option.text.plain(&no_fills()))
             .collect();
+        let words: Vec<Phrase> = phrases(&texts);
+        let meanings: Vec<Wording> = words.iter().map(Phrase::wording).collect();
+        let named = meanings.iter().zip(&self.options);
+        let named = named.map(|(own, option)| own.clone().joined(&Wording::of(&option.id)));
+        let literal = words.iter().zip(&self.options);
+        let literal = literal.map(|(own, option)| {
+            Wording::literal(own.typed()).joined(&Wording::literal(&option.id))
+        });
         Options {
             ids,
-            words: phrases(&texts),
+            literal: literal.collect(),
+            named: named.collect(),
+            meanings,
+            asked: self.asked.clone(),
+            words,
             sources: phrases(&self.sources),
             texts,
             feedback: self.feedback.clone(),

@@ -19,8 +19,12 @@ pub(crate) struct Ends<'a> {
     pub(crate) mark: DecimalMark,
     /// Whether numbers that may be meant otherwise are, `1,250` as a decimal or in thousands.
     pub(crate) is_otherwise: bool,
+    /// Which ends are left out where words do not say, `from 0.2 to 0.5`.
+    pub(crate) open: [bool; 2],
     /// Whether a number may be meant otherwise; noted while a set is read.
     pub(crate) is_doubtful: Cell<bool>,
+    /// Whether words do not say which ends are left out, and it counts; noted likewise.
+    pub(crate) is_unsaid: Cell<bool>,
 }
 
 impl Ends<'_> {
@@ -48,8 +52,40 @@ impl Ends<'_> {
         Ok(one.unit)
     }
 
-    /// The value of a bound in SI units.
+    /// Which ends are left out, by what is said or by what this reading takes for meant.
+    pub(crate) fn said_open(&self, open: Option<[bool; 2]>) -> [bool; 2] {
+        if open.is_none() && self.setup.is_strict {
+            self.is_unsaid.set(true);
+        }
+        open.unwrap_or(self.open)
+    }
+
+    /// The value of a bound in SI units; of `√(2km) = 7.9` that which is asked for, if both are the same.
     fn side(&self, side: Passage<'_>, unit: &mut Option<Unit>) -> Read<f64> {
+        /// Two values that were each rounded to three figures differ by no more.
+        const SHARE: f64 = 0.01;
+        let forms = side.statement();
+        let [first, .., last] = &forms[..] else {
+            return self.one_side(side, unit);
+        };
+        if self.setup.written == Written::Formula {
+            return self.one_side(*first, unit);
+        }
+        let value = self.one_side(*last, unit)?;
+        for form in &forms[..forms.len() - 1] {
+            // `x_b = 3 m` names the bound.
+            let own = match self.one_side(*form, &mut { *unit }) {
+                Err(_) if form.is_symbol() => continue,
+                own => own?,
+            };
+            if (own - value).abs() > SHARE * own.abs().max(value.abs()) {
+                return Err(Why::UnequalSides(form.short(), last.short()).into());
+            }
+        }
+        Ok(value)
+    }
+
+    fn one_side(&self, side: Passage<'_>, unit: &mut Option<Unit>) -> Read<f64> {
         let number = self.number(side, unit);
         // Of `√(2km)` the letters could be a unit, kilometres, that does not fit.
         let is_formula = number.is_err() && self.fits_in_letters(side);

@@ -32,13 +32,13 @@ use super::meaning::{Meaning, Prefer};
 use super::settle::{Candidate, Rule, settle};
 use super::trial::other_unit;
 use super::{
-    Answer, AnswerError, Answered, Asked, Blank, Close, Context, Credit, Declare, Doubt, Key,
-    KeyValue, Marker, Marking, Nature, Reading, Remark, Role, Slip, Tolerance, Trial,
+    Answer, AnswerError, Answered, Asked, Blank, Close, Context, Credit, Declare, Doubt, Echo, Key,
+    KeyValue, Marker, Marking, Nature, Reading, Remark, Role, Slip, Tolerance, Trial, Unreadable,
 };
 use crate::expr::{Constant, Expr, Kind as Node, Name, Precise, Type};
 use crate::math::Math;
 use crate::quantity::{Absent, NodeId};
-use crate::response::{Lexicon, Passage};
+use crate::response::{Lexicon, Passage, Wording};
 use crate::source::{Table, Text, Value};
 use crate::unit::{Decimal, DecimalMark, Quantity, Unit};
 
@@ -71,6 +71,8 @@ pub(crate) struct Setup {
     is_strict: bool,
     meaning: Meaning,
     lexicon: Lexicon,
+    /// The words of the question.
+    asked: Wording,
     /// The letters of its answer line.
     letters: Vec<Expr>,
 }
@@ -135,6 +137,10 @@ pub(crate) fn read(part: &Table<'_>, declare: &mut dyn Declare) -> Option<Box<dy
         is_strict: ends.is_none_or(|ends| ends.value != "either"),
         meaning: Meaning::of(declare, Prefer::Quantities),
         lexicon,
+        asked: part
+            .text("ask")
+            .map(|ask| Wording::of_question(&ask.value))
+            .unwrap_or_default(),
         letters,
     };
     let digits = key.iter().flat_map(|piece| piece.ends).flatten().next();
@@ -455,28 +461,97 @@ impl Marker for Prepared {
             let shown = read.map_or_else(String::new, |reading| reading.math.plain());
             Candidate { shown, marking }
         };
-        let (first, is_doubtful) = self.judged(response, false);
-        if !is_doubtful || first.reading.is_none() {
-            return first;
+        let first = self.judged(response, Ways::default());
+        if first.marking.reading.is_none() {
+            return first.marking;
         }
-        let (first, other) = (candidate(first), candidate(self.judged(response, true).0));
-        let other = Some(other).filter(|other| other.shown != first.shown);
-        settle(self.doubt, Rule::None, first, other)
+        // By convention words keep the ends.
+        let rule = if first.is_doubtful {
+            Rule::None
+        } else {
+            Rule::Stated
+        };
+        let ways = first.others();
+        let first = candidate(first.marking);
+        let others = ways.map(|ways| candidate(self.judged(response, ways).marking));
+        let others = others.filter(|other| other.shown != first.shown);
+        let others: Vec<Candidate> = others.collect();
+        settle(self.doubt, rule, first, others)
+    }
+
+    fn echo(&self, response: Passage<'_>) -> Result<Echo, Unreadable> {
+        let first = self.judged(response, Ways::default());
+        let others = first
+            .others()
+            .filter_map(|ways| self.judged(response, ways).marking.reading);
+        let readings: Vec<Reading> = first
+            .marking
+            .reading
+            .clone()
+            .into_iter()
+            .chain(others)
+            .collect();
+        match Echo::of(readings) {
+            Some(echo) => Ok(echo),
+            None => Echo::of_marking(first.marking),
+        }
+    }
+}
+
+/// How what is left open is taken.
+#[derive(Clone, Copy, Debug, Default)]
+struct Ways {
+    /// Whether numbers that may be meant otherwise are.
+    is_otherwise: bool,
+    /// Which ends are left out where words do not say.
+    open: [bool; 2],
+}
+
+/// The marking of one reading of a response, and what else it may mean.
+struct Judged {
+    marking: Marking,
+    is_doubtful: bool,
+    is_unsaid: bool,
+}
+
+impl Judged {
+    /// The other ways to take it.
+    fn others(&self) -> impl Iterator<Item = Ways> + use<> {
+        let numbers = Ways {
+            is_otherwise: true,
+            ..Ways::default()
+        };
+        let ends = [[true, true], [true, false], [false, true]];
+        let ends = ends.map(|open| Ways {
+            open,
+            ..Ways::default()
+        });
+        let ends = ends.into_iter().take(if self.is_unsaid { 3 } else { 0 });
+        Some(numbers)
+            .filter(|_| self.is_doubtful)
+            .into_iter()
+            .chain(ends)
     }
 }
 
 impl Prepared {
-    /// The marking of one reading of a response, and whether there is another.
-    fn judged(&self, response: Passage<'_>, is_otherwise: bool) -> (Marking, bool) {
+    /// The marking of one reading of a response.
+    fn judged(&self, response: Passage<'_>, ways: Ways) -> Judged {
         let ends = Ends {
             setup: &self.setup,
             data: &self.data,
             mark: self.mark,
-            is_otherwise,
+            is_otherwise: ways.is_otherwise,
+            open: ways.open,
             is_doubtful: Cell::new(false),
+            is_unsaid: Cell::new(false),
         };
         let read = read::read(&ends, response);
-        (self.marked(response, read), ends.is_doubtful.get())
+        Judged {
+            marking: self.marked(response, read),
+            is_doubtful: ends.is_doubtful.get(),
+            is_unsaid: ends.is_unsaid.get(),
+        }
     }
 
     fn marked(&self, response: Passage<'_>, read: Result<Set, Refusal>) -> Marking {

@@ -45,7 +45,7 @@ pub(crate) fn like_interval(why: Why) -> Unreadable {
 pub(crate) fn read(ends: &Ends<'_>, response: Passage<'_>) -> Read<Set> {
     // A number without a unit has that of the next one.
     let mut unit = None;
-    let groups = match Ranges::read(response, ends.mark).map_err(unread)? {
+    let groups = match Ranges::read(response, ends.mark, &ends.setup.asked).map_err(unread)? {
         Ranges::SideBySide(conditions) => {
             let sets = conditions.iter().rev();
             let sets = sets.map(|condition| set_of(ends, condition, &mut unit));
@@ -60,8 +60,19 @@ pub(crate) fn read(ends: &Ends<'_>, response: Passage<'_>) -> Read<Set> {
             .map(|condition| set_of(ends, condition, &mut unit))
             .collect::<Read<Vec<Set>>>()?;
         let are_met = sets.iter().all(|set| !set.0.is_empty());
+        let is_bounded = |set: &Set| {
+            let mut ends = set.0.iter().flat_map(|piece| piece.0);
+            !set.0.is_empty() && ends.all(|end| end.value.is_finite())
+        };
+        // `[1, 2) and (3, 4]` lists both.
+        let are_listed = sets.len() > 1 && sets.iter().all(is_bounded);
+        let listed: Vec<SetPiece> = sets.iter().flat_map(|set| set.0.clone()).collect();
         let common = sets.into_iter().reduce(|all, own| all.common(&own));
         let common = common.unwrap_or_default();
+        if are_listed && common.0.is_empty() {
+            pieces.extend(listed);
+            continue;
+        }
         if are_met && common.0.is_empty() {
             return Err(Why::NoneSatisfies((*typed).into()).into());
         }
@@ -82,6 +93,15 @@ fn set_of(ends: &Ends<'_>, condition: &Condition<'_>, unit: &mut Option<Unit>) -
             ends: typed,
             open,
         } => interval(ends, *subject, *typed, *open, unit),
+        Said::Within { bound, open } => {
+            let [is_open, _] = ends.said_open(open.map(|open| [open; 2]));
+            let high = ends.end(*bound, is_open, unit)?;
+            let low = End {
+                value: -high.value,
+                ..high
+            };
+            Ok(Set::of(vec![one(SetPiece([low, high]))?]))
+        }
     }
 }
 
@@ -148,10 +168,7 @@ fn interval(
             Unreadable::at(name, Why::BeforeInterval(symbol))
         })?,
     };
-    if open.is_none() && ends.setup.is_strict {
-        return Err(like_interval(Why::EndsInWords).into());
-    }
-    let [is_open_low, is_open_high] = open.unwrap_or_default();
+    let [is_open_low, is_open_high] = ends.said_open(open);
     let high = ends.end(high, is_open_high, unit)?;
     let low = ends.end(low, is_open_low, unit)?;
     Ok(subject.where_it_is_in(one(SetPiece([low, high]))?))
@@ -194,6 +211,12 @@ fn unread(error: RangeError<'_>) -> Refusal {
 /// What inequalities side by side mean together. `x > 1, x < 3` holds for both, since everything would satisfy one of
 /// them; `x < 1, x > 3` holds for one of them, since nothing satisfies both. Where neither is so, one has to ask.
 fn side_by_side(sets: &[Set]) -> Read<Set> {
+    // The last one is that which is asked for, in numbers after letters.
+    if let [others @ .., last] = sets
+        && others.iter().all(|own| last.is_same_as(own))
+    {
+        return Ok(last.clone());
+    }
     let common = sets
         .iter()
         .cloned()

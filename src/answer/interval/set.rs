@@ -139,6 +139,18 @@ impl Set {
         self.0.iter().map(bounds).collect()
     }
 
+    /// Whether both are one set but for the rounding of three figures.
+    pub(crate) fn is_same_as(&self, other: &Self) -> bool {
+        const SHARE: f64 = 0.01;
+        let is_near = |(own, other): (&SetPiece, &SetPiece)| {
+            let mut ends = own.0.iter().zip(&other.0);
+            ends.all(|(own, other)| own.is_near(other, SHARE * own.size()))
+        };
+        self.0.len() == other.0.len()
+            && self.0.iter().zip(&other.0).all(is_near)
+            && self.has_ends_of(other)
+    }
+
     /// Whether the ends of both are open alike.
     pub(crate) fn has_ends_of(&self, other: &Self) -> bool {
         let open = |set: &Self| -> Vec<[bool; 2]> {

@@ -38,6 +38,11 @@ pub(crate) fn read(key: &Prepared, response: Passage<'_>) -> Result<Vec<Shapes>,
     };
     let other = solved.and_then(|solved| read(solved.passage()));
     let other = other.or_else(|| read_list(key, bare(response)?.passage()).ok());
+    let scaled = || {
+        let list = response.without_common_letter();
+        list.filter(|_| is_one && is_scaled)
+    };
+    let other = other.or_else(|| read_list(key, scaled()?.passage()).ok());
     other.ok_or(why)
 }
 

@@ -33,6 +33,26 @@ pub(crate) fn list(
     is_ordered: bool,
     setting: Setting<'_>,
 ) -> Result<List, Unreadable> {
+    let Some(ranked) = response.in_said_order(count) else {
+        return unranked(response, count, is_ordered, setting);
+    };
+    let list = unranked(ranked.passage(), count, is_ordered, setting)?;
+    // The lower one is the first, and by custom that of the mode in phase.
+    let sizes = list.items.iter().map(|item| item.quantity.si());
+    if sizes.is_sorted() {
+        Ok(list)
+    } else {
+        Err(Why::LabelsInOtherOrder.into())
+    }
+}
+
+/// The same where no words say which value is which.
+fn unranked(
+    response: Passage<'_>,
+    count: usize,
+    is_ordered: bool,
+    setting: Setting<'_>,
+) -> Result<List, Unreadable> {
     let mark = setting.mark;
     let values = parted(response, mark, false, count)?;
     if let Some(bracket) = values.lone_bracket() {
@@ -53,7 +73,11 @@ pub(crate) fn list(
     let is_framed = inner != all;
     // `[5 8.7]`; without brackets `5 8.7` alone is two numbers where two are asked, and `5 000` may be one.
     let is_list = |pieces: &Vec<Part>| {
-        let is_group = |piece: &Part| values.passage(piece).is_group_of_digits();
+        let is_group = |piece: &Part| {
+            values
+                .passage(&values.without_unit(piece))
+                .is_group_of_digits()
+        };
         is_framed || pieces.len() == count && !pieces.iter().skip(1).any(is_group)
     };
     let spaced = values.spaced(&inner).filter(is_list);
@@ -65,7 +89,17 @@ pub(crate) fn list(
         Some(pieces) => pieces,
         None => values.statements(&inner),
     };
-    let pieces = without_empty_ends(&values, pieces)?;
+    let ascending = pieces
+        .first()
+        .filter(|_| pieces.len() == 1)
+        .and_then(|only| values.ascending(only));
+    let is_ascending = ascending.is_some();
+    let pieces = without_empty_ends(&values, ascending.unwrap_or(pieces))?;
+    let bare = |piece: Part| match values.back_bracket(&piece) {
+        Some((value, said)) if values.passage(&said).is_remark() => value,
+        _ => piece,
+    };
+    let pieces: Vec<Part> = pieces.into_iter().map(bare).collect();
     if pieces.is_empty() {
         return Err(Unreadable::of(Why::Form).like(Example::Number));
     }
@@ -127,8 +161,13 @@ pub(crate) fn list(
             return Err(Why::LabelsInOtherOrder.into());
         }
     }
+    let items: Vec<TypedNumber> = items.into_iter().map(|(_, item)| item).collect();
+    // `5 < 3` says what is not so.
+    if is_ascending && !items.iter().map(|item| item.quantity.si()).is_sorted() {
+        return Err(Why::LabelsInOtherOrder.into());
+    }
     Ok(List {
-        items: items.into_iter().map(|(_, item)| item).collect(),
+        items,
         are_about_mean,
     })
 }
@@ -169,7 +208,12 @@ pub(crate) fn parted(
         let signs = whole.last().and_then(|value| values.both_signs(value));
         count == 2 && signs.is_some_and(|(_, is_first)| !is_first)
     };
-    if mark == DecimalMark::Comma || values.is_parted() || are_about_mean() {
+    let are_spaced = || {
+        values
+            .spaced(&values.all())
+            .is_some_and(|pieces| pieces.len() == count)
+    };
+    if mark == DecimalMark::Comma || values.is_parted() || are_about_mean() || are_spaced() {
         return Ok(values);
     }
     read(false)

@@ -8,7 +8,7 @@ use super::read::{self, Setting, TypedNumber};
 use super::slip::{mixes_energy_and_moment, slip};
 use super::target::{Target, Typed, pair};
 use super::trial;
-use super::words::{angles, counts, miswritten};
+use super::words::{angles, counts, gram, meant};
 use crate::answer::naming::Steps;
 use crate::answer::settle::{Candidate, Rule, settle};
 use crate::answer::{
@@ -18,7 +18,7 @@ use crate::answer::{
 use crate::expr::{Constant, Expr, Form, Function, Kind, Operator, Shape};
 use crate::math::Math;
 use crate::numerics::Dd;
-use crate::response::{Passage, has_pi};
+use crate::response::{Passage, Wording, has_pi};
 use crate::unit::{Decimal, DecimalMark, Dimension, DimensionMismatch, Quantity, Unit};
 
 /// What a named mistake gives, in SI units.
@@ -47,6 +47,8 @@ pub(crate) struct Numbers {
     pub(crate) mark: DecimalMark,
     /// What steps may be written in.
     pub(crate) steps: Arc<Steps>,
+    /// The words of the question.
+    pub(crate) asked: Arc<Wording>,
     pub(crate) doubt: Doubt,
     pub(crate) targets: Vec<Target>,
     pub(crate) mistakes: Vec<Mistake>,
@@ -73,6 +75,7 @@ impl Numbers {
         Setting {
             mark: self.mark,
             steps: Some((&self.unit, &self.steps)),
+            asked: Some(&self.asked),
         }
     }
 
@@ -261,7 +264,7 @@ impl Numbers {
         if let Some(found) = named {
             return Marking::mistake(reading, found.number, found.credit);
         }
-        if let Some(why) = miswritten(&quantity.unit, &self.unit) {
+        if let Some(why) = gram(&quantity.unit, &self.unit) {
             return Marking::unreadable(why);
         }
         let misfit = Misfit::Unit {
@@ -309,6 +312,8 @@ impl Numbers {
             number = number.others.swap_remove(at);
         } else if fits(&number) {
             number.others.retain(fits);
+        } else if let Some(unit) = meant(&number.quantity.unit, &self.unit) {
+            number.quantity.unit = unit;
         }
         if number.quantity.unit.is_one() && self.unit == Unit::degree() {
             let arithmetic = number.arithmetic.as_ref();

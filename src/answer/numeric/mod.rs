@@ -36,6 +36,7 @@ use super::{
 };
 use crate::expr::{Field, Form, Shape, Type};
 use crate::quantity::{Absent, NodeId};
+use crate::response::Wording;
 use crate::source::{Table, Text};
 use crate::unit::{Quantity, Unit};
 
@@ -43,7 +44,7 @@ use self::marker::{Mistake, Numbers};
 use self::target::Target;
 
 pub(crate) use self::complex::complex_number;
-pub(crate) use self::read::{are_one_value, quantity, readings};
+pub(crate) use self::read::{are_one_value, counts, quantity, readings};
 
 /// Significant figures in which one works at least.
 const MIN_FIGURES: u32 = 3;
@@ -73,6 +74,8 @@ struct Numeric {
     digits: u32,
     /// What steps may be written in.
     steps: Arc<Steps>,
+    /// The words of the question.
+    asked: Arc<Wording>,
 }
 
 /// Reads the keys of a part that belong to this kind; what is wrong is noted.
@@ -125,6 +128,7 @@ pub(crate) fn read(part: &Table<'_>, declare: &mut dyn Declare) -> Option<Box<dy
     let digits_penalty = penalty
         .and_then(|text| Credit::read(&text.value))
         .unwrap_or(Credit::NONE);
+    let asked = part.text("ask").map(|ask| Wording::of_question(&ask.value));
     let is_real = kind.field() == Field::Real && !is_list;
     let formula = if is_real {
         formula::of_key(part, &key_text, key, declare)
@@ -148,6 +152,7 @@ pub(crate) fn read(part: &Table<'_>, declare: &mut dyn Declare) -> Option<Box<dy
         // What is asked for in more figures is printed in them.
         digits: u32::from(declare.digits_of(key)).max(ask_digits.map_or(0, |digits| digits as u32)),
         steps: Arc::new(Steps::of(declare, key)),
+        asked: Arc::new(asked.unwrap_or_default()),
     }))
 }
 
@@ -166,6 +171,7 @@ pub(crate) fn of_formula(
         figures: u32::from(declare.figures()),
         digits: u32::from(declare.digits_of(key)),
         steps: Arc::new(Steps::of(declare, key)),
+        asked: Arc::default(),
         formula: None,
         modulo: None,
         within: None,
@@ -320,6 +326,7 @@ impl Answer for Numeric {
             digits: self.digits,
             mark: context.mark,
             steps: Arc::clone(&self.steps),
+            asked: Arc::clone(&self.asked),
             doubt: context.doubt,
             targets,
             mistakes,

@@ -6,7 +6,7 @@ use crate::expr::{Constant, Expr, Kind, Operator, PlainNotation};
 use crate::math::Math;
 use crate::response::{
     Amount, Manner, Number as Typed, Part, Passage, Style, Trouble, TypedError, ValueTrouble,
-    Values,
+    Values, Wording,
 };
 use crate::unit::{Decimal, DecimalMark, Dimension, Quantity, Unit};
 
@@ -139,12 +139,18 @@ pub(crate) struct Setting<'a> {
     pub(crate) mark: DecimalMark,
     /// The unit that is asked for, and what steps may be written in.
     pub(crate) steps: Option<(&'a Unit, &'a Steps)>,
+    /// The words of the question.
+    pub(crate) asked: Option<&'a Wording>,
 }
 
 impl Setting<'_> {
     /// That of numbers which are derived from nothing.
     pub(crate) fn of(mark: DecimalMark) -> Self {
-        Self { mark, steps: None }
+        Self {
+            mark,
+            steps: None,
+            asked: None,
+        }
     }
 
     /// Whether a side is a step in letters of one's own.
@@ -173,6 +179,17 @@ pub(crate) fn number(
     response: Passage<'_>,
     setting: Setting<'_>,
 ) -> Result<TypedNumber, Unreadable> {
+    number_alone(response, setting).or_else(|why| {
+        let bare = setting
+            .asked
+            .and_then(|asked| response.without_words_of(asked));
+        bare.and_then(|bare| number_alone(bare, setting).ok())
+            .ok_or(why)
+    })
+}
+
+/// The same with no word of the question beside it.
+fn number_alone(response: Passage<'_>, setting: Setting<'_>) -> Result<TypedNumber, Unreadable> {
     let style = Style {
         mark: setting.mark,
         comma_is_decimal: true,
@@ -192,6 +209,13 @@ pub(crate) fn number(
         if let Some(number) = said_once(&values, &restated, setting) {
             return Ok(number);
         }
+        // `0.7 s (second)`
+        let [value, inner] = &restated[..] else {
+            return statement(&values, &all, setting);
+        };
+        if values.is_unit_again(value, inner) {
+            return statement(&values, value, setting);
+        }
     }
     statement(&values, &all, setting)
 }
@@ -209,9 +233,13 @@ fn said_once(
     };
     let numbers: Vec<TypedNumber> = statements.iter().map(read).collect::<Option<_>>()?;
     let (first, others) = numbers.split_first()?;
-    let is_restated = |other: &TypedNumber| {
-        first.quantity.unit != other.quantity.unit && is_same_but_for_rounding(first, other)
+    // `0.333 (1/3)`
+    let is_other = |other: &TypedNumber| {
+        first.quantity.unit != other.quantity.unit
+            || first.arithmetic.is_none() && other.arithmetic.is_some()
     };
+    let is_restated =
+        |other: &TypedNumber| is_other(other) && is_same_but_for_rounding(first, other);
     others.iter().all(is_restated).then(|| first.clone())
 }
 
@@ -246,6 +274,9 @@ pub(crate) fn statement(
 ) -> Result<TypedNumber, Unreadable> {
     let statement = values.statement(part);
     if let Some(sign) = statement.unequal {
+        if let Some(ratio) = values.ratio(part).as_ref().and_then(TypedNumber::of) {
+            return Ok(ratio);
+        }
         if let Some(number) = rightly_compared(values, part, setting) {
             return Ok(number);
         }
@@ -374,6 +405,36 @@ pub(crate) fn readings(
     let number = number(response, Setting::of(mark))?;
     let others = number.others.iter().map(|other| other.quantity);
     Ok((number.quantity, others.collect()))
+}
+
+/// The same for a count, whose steps may be written in these letters, and where a range that descends is a difference.
+///
+/// # Errors
+///
+/// As for [`number`].
+pub(crate) fn counts(
+    response: Passage<'_>,
+    mark: DecimalMark,
+    steps: (&Unit, &Steps),
+) -> Result<(Quantity, Vec<Quantity>), Unreadable> {
+    let setting = Setting {
+        steps: Some(steps),
+        ..Setting::of(mark)
+    };
+    let read = number(response, setting).or_else(|why| {
+        let style = Style {
+            mark,
+            comma_is_decimal: true,
+            is_complex: false,
+        };
+        let values = Values::read(response, style).ok();
+        let difference = values.and_then(|values| values.amount_of_step(&values.all()).ok());
+        let difference = difference.as_ref().and_then(TypedNumber::of);
+        let is_descending = |own: &TypedNumber| own.quantity.value.to_f64() > 0.0;
+        difference.filter(is_descending).ok_or(why)
+    })?;
+    let others = read.others.iter().map(|other| other.quantity);
+    Ok((read.quantity, others.collect()))
 }
 
 /// The quantity that a response is without a doubt.

@@ -3,28 +3,25 @@
 use crate::answer::Why;
 use crate::unit::{Dimension, Rational, Unit};
 
-/// How a unit was meant that fits only if it is written with small letters or with a space: `rad/S` for `rad/s`,
-/// `ms⁻¹` for `m·s⁻¹`.
-pub(crate) fn miswritten(typed: &Unit, asked: &Unit) -> Option<Why> {
+/// The unit that is meant where that which was typed does not fit, and only one spelling apart does: `rad/s` for
+/// `rad/S`, `m·s⁻¹` for `ms⁻¹`.
+pub(crate) fn meant(typed: &Unit, asked: &Unit) -> Option<Unit> {
     let text = typed.text();
     let fits = |text: &str| {
         let unit = Unit::read(text).ok()?;
         (unit.dimension() == asked.dimension() && !unit.is_one()).then_some(unit)
     };
-    if text == "g" && Ok(asked.dimension()) == Dimension::parse("m/s^2") {
-        return Some(Why::Gram);
-    }
-    if let Some(small) = fits(&text.to_ascii_lowercase()) {
-        let meant = small.text();
-        return Some(Why::Capitals { meant, typed: text });
-    }
-    let spaced = [("ms", "m·s"), ("rad⁻", "rad·s⁻")]
-        .iter()
-        .find_map(|(run, meant)| fits(&text.replace(run, meant)))?;
-    Some(Why::SpaceInUnit {
-        read: text,
-        meant: spaced,
-    })
+    let spaced = || {
+        let mut runs = [("ms", "m·s"), ("rad⁻", "rad·s⁻")].into_iter();
+        runs.find_map(|(run, meant)| fits(&text.replace(run, meant)))
+    };
+    fits(&text.to_ascii_lowercase()).or_else(spaced)
+}
+
+/// What is wrong with grams where an acceleration is asked.
+pub(crate) fn gram(typed: &Unit, asked: &Unit) -> Option<Why> {
+    let is_it = typed.text() == "g" && Ok(asked.dimension()) == Dimension::parse("m/s^2");
+    is_it.then_some(Why::Gram)
 }
 
 /// What is wrong with a unit in which angles enter otherwise than in what is asked: `rad²/s` for `rad/s`. They may be

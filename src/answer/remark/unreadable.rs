@@ -105,20 +105,6 @@ pub enum Why {
     },
     /// `g` where an acceleration is asked.
     Gram,
-    /// A unit with capitals, as it fits and as it was typed.
-    Capitals {
-        /// As it fits.
-        meant: String,
-        /// As it was typed.
-        typed: String,
-    },
-    /// A unit that fits with a space in it.
-    SpaceInUnit {
-        /// As it was read.
-        read: String,
-        /// As it fits.
-        meant: Unit,
-    },
     /// Angles that enter a unit otherwise than in this one, which is asked.
     AngleInUnit(Unit),
     /// Another quantity than the one that is asked before an equals sign.
@@ -173,8 +159,6 @@ pub enum Why {
     NotInInequality(String),
     /// Bounds in the wrong order.
     BoundsOrder,
-    /// Words say between which bounds, and it counts whether these belong to the interval.
-    EndsInWords,
     /// Bounds as formulas, where they are asked so.
     BoundsAsFormulas,
     /// Bounds as numbers, where they are asked so.

@@ -97,12 +97,6 @@ fn why(why: &Why) -> String {
             turn.text(DecimalMark::Point)
         ),
         Why::Gram => "`g` is the gram: write `g0` for the acceleration of free fall.".to_owned(),
-        Why::Capitals { meant, typed } => {
-            format!("capitals matter in units: write `{meant}` for `{typed}`.")
-        }
-        Why::SpaceInUnit { read, meant } => {
-            format!("this is read as `{read}`: write `{meant}` with a space.")
-        }
         Why::AngleInUnit(asked) => {
             format!("angles do not enter like this; the answer is in {}.", asked.text())
         }
@@ -144,9 +138,6 @@ fn why(why: &Why) -> String {
         Why::SolveForDistance(symbol) => format!("solve for `{symbol}` or `|{symbol}|` first."),
         Why::SolveFor(symbol) => format!("solve for `{symbol}` first."),
         Why::NotInInequality(symbol) => format!("`{symbol}` does not occur in this inequality."),
-        Why::EndsInWords => {
-            "such a range does not say whether its ends belong to it, and that counts here.".to_owned()
-        }
         Why::BoundsOrder => "the lower bound is above the upper one.".to_owned(),
         Why::BoundsAsFormulas => "give the bounds as formulas in symbols.".to_owned(),
         Why::BoundsAsNumbers => "give the bounds as numbers.".to_owned(),

@@ -93,12 +93,6 @@ fn why(why: &Why) -> String {
             turn.text(DecimalMark::Comma)
         ),
         Why::Gram => "`g` est le gramme : écrivez `g0` pour l’accélération de la pesanteur.".to_owned(),
-        Why::Capitals { meant, typed } => {
-            format!("majuscules et minuscules comptent dans les unités : écrivez `{meant}` pour `{typed}`.")
-        }
-        Why::SpaceInUnit { read, meant } => {
-            format!("ceci se lit `{read}` : écrivez `{meant}` avec une espace.")
-        }
         Why::AngleInUnit(asked) => {
             format!("un angle n’entre pas ainsi dans l’unité ; la réponse est demandée en {}.", asked.text())
         }
@@ -141,9 +135,6 @@ fn why(why: &Why) -> String {
         Why::SolveForDistance(symbol) => format!("isolez d’abord `{symbol}` ou `|{symbol}|`."),
         Why::SolveFor(symbol) => format!("isolez d’abord `{symbol}`."),
         Why::NotInInequality(symbol) => format!("`{symbol}` ne figure pas dans cette inégalité."),
-        Why::EndsInWords => {
-            "cela ne dit pas si les bornes en font partie, ce qui compte ici.".to_owned()
-        }
         Why::BoundsOrder => "la borne inférieure dépasse la borne supérieure.".to_owned(),
         Why::BoundsAsFormulas => "donnez les bornes par des formules littérales.".to_owned(),
         Why::BoundsAsNumbers => "donnez les bornes par des nombres.".to_owned(),

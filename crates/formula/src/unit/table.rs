@@ -91,10 +91,10 @@ pub(crate) static ROWS: &[UnitRow] = &[
     //   symbols                 print  words                                             kg  m  s   A  K mol cd     2   3   5  g  pi          prefixes joins coherent
     row(&["m"],                  "m",   &["metre", "metres", "meter", "meters", "mètre", "mètres", "metro", "metros"], [ 0,  1,  0,  0, 0, 0, 0], [ 0,  0,  0, 0, 0], Still,   YES, YES, ""),
     row(&["s"],                  "s",   &["second", "seconds", "sec", "secs", "seconde", "secondes", "sek", "sekunde", "sekunden", "seg", "segundo", "segundos"], [ 0,  0,  1,  0, 0, 0, 0], [ 0,  0,  0, 0, 0], Still,   YES, YES, ""),
-    row(&["g"],                  "g",   &["gram", "grams", "gramme", "grammes"],          [ 1,  0,  0,  0, 0, 0, 0], [-3,  0, -3, 0, 0], Still,   YES, YES, "kg"),
+    row(&["g"],                  "g",   &["gram", "grams", "gramme", "grammes", "gr"],    [ 1,  0,  0,  0, 0, 0, 0], [-3,  0, -3, 0, 0], Still,   YES, YES, "kg"),
     row(&["rad"],                "rad", &["radian", "radians", "rads", "rad", "rd", "radiant", "radiants", "radianes"], [ 0,  0,  0,  0, 0, 0, 0], [ 0,  0,  0, 0, 0], Radians, YES, YES, ""),
     row(&["N"],                  "N",   &["newton", "newtons"],                           [ 1,  1, -2,  0, 0, 0, 0], [ 0,  0,  0, 0, 0], Still,   YES, YES, ""),
-    row(&["Hz"],                 "Hz",  &["hertz", "hertz", "hz"],                        [ 0,  0, -1,  0, 0, 0, 0], [ 0,  0,  0, 0, 0], Cycles,  YES, YES, ""),
+    row(&["Hz"],                 "Hz",  &["hertz", "hertz", "hz", "cps"],                 [ 0,  0, -1,  0, 0, 0, 0], [ 0,  0,  0, 0, 0], Cycles,  YES, YES, ""),
     row(&["J"],                  "J",   &["joule", "joules"],                             [ 1,  2, -2,  0, 0, 0, 0], [ 0,  0,  0, 0, 0], Still,   YES, YES, ""),
     row(&["W"],                  "W",   &["watt", "watts"],                               [ 1,  2, -3,  0, 0, 0, 0], [ 0,  0,  0, 0, 0], Still,   YES, YES, ""),
     row(&["Pa"],                 "Pa",  &["pascal", "pascals"],                           [ 1, -1, -2,  0, 0, 0, 0], [ 0,  0,  0, 0, 0], Still,   YES, YES, ""),

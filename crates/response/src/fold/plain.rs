@@ -22,6 +22,7 @@ pub(crate) fn is_plain(typed: &str) -> bool {
             .any(|(at, _)| is_called(&typed[..at]))
         && !typed.split(' ').any(begins_words)
         && !is_shouted(typed)
+        && !typed.contains("/sqrt(kg)")
         && answer_in(typed).len() == typed.len()
         && enumeration(typed).is_empty()
 }
@@ -40,7 +41,7 @@ fn begins_sign(rest: &[u8]) -> bool {
             | [b'C', b'[', ..]
             | [b'S', b'u', b'b', b's', b'c', ..]
             | [b'>' | b'<', b' ', b'=', ..]
-            | [b' ', b'1', b'0', b'^', ..]
+            | [b' ' | b'.', b'1', b'0', b'^', ..]
     )
 }
 
@@ -57,8 +58,17 @@ pub(crate) fn has_cells(typed: &str) -> bool {
     typed.trim().contains('\n') && rows.all(|row| row.trim().is_empty() || row.contains('\t'))
 }
 
-/// Whether all bars stand between numbers, `(1 | -0.5)`, as schools write vectors.
+/// Whether bars part statements, `ω1 = 5 rad/s | ω2 = 6 rad/s`.
+fn has_barred_statements(typed: &str) -> bool {
+    let mut pieces = typed.split(" | ");
+    pieces.clone().count() > 1 && pieces.all(|piece| piece.contains('=') && !piece.contains('|'))
+}
+
+/// Whether all bars stand between numbers, `(1 | -0.5)`, as schools write vectors, or between statements.
 pub(crate) fn has_barred_numbers(typed: &str) -> bool {
+    if has_barred_statements(typed) {
+        return true;
+    }
     let is_between = |(at, _): (usize, &str)| {
         let behind = typed[at + 1..].trim_start();
         let unsigned = behind.strip_prefix(is_minus).unwrap_or(behind);

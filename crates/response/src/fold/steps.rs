@@ -49,8 +49,9 @@ fn end_of_steps(line: &str) -> Option<usize> {
         before.matches(['(', '[', '{']).count() != before.matches([')', ']', '}']).count();
     let relates = |text: &str| text.contains(['=', '≈']);
     let is_led_to = before.trim().is_empty() || before.contains(['=', '≈', '<', '>', '≤', '≥']);
+    let compares = |text: &str| text.contains(['<', '>', '≤', '≥']);
     let is_sure = if AMBIGUOUS_ARROWS.contains(&arrow) {
-        relates(before) && relates(behind)
+        relates(before) && relates(behind) || arrow != "=>" && compares(before) && compares(behind)
     } else {
         is_led_to
     };
@@ -87,8 +88,16 @@ fn arrow_to_value(line: &str) -> Option<(usize, usize)> {
     let is_used = value
         .split(|char: char| !char.is_alphanumeric())
         .any(|word| word == before);
-    (is_name && is_value && !is_used && !relates(before) && !relates(behind))
-        .then_some((at, arrow.len()))
+    // `1.4156 -> 1.42 s` rounds.
+    let is_rounded = before.starts_with(begins)
+        && before.ends_with(|last: char| last.is_ascii_digit())
+        && before.contains(['.', ',']);
+    ((is_name || is_rounded)
+        && is_value
+        && !is_used
+        && (is_rounded || !relates(before))
+        && !relates(behind))
+    .then_some((at, arrow.len()))
 }
 
 /// Where the equals sign stands in a line that is about the same symbol as the line before, and says nothing of where

@@ -34,7 +34,9 @@ pub(crate) const CALLS: [(&str, [bool; 2]); 7] = [
 ];
 
 /// Words between spaces that join.
-const JOINTS: [(&str, Mark); 5] = [
+const JOINTS: [(&str, Mark); 7] = [
+    ("and also", Mark::And),
+    ("but", Mark::And),
     ("union", Mark::Or),
     ("or", Mark::Or),
     ("and", Mark::And),
@@ -92,7 +94,13 @@ fn mark(text: &str, at: usize, char: char, before: Option<&Marked>) -> Option<(M
                 let behind = text[at..].strip_prefix(word);
                 behind.is_some_and(|behind| behind.is_empty() || behind.starts_with(' '))
             };
-            let joint = JOINTS.iter().find(|(word, _)| is_apart && ends(word));
+            // `everything but [0, 1]` joins nothing.
+            let compares = |word: &str| {
+                let behind = text[at + word.len()..].trim_start();
+                word != "but" || behind.starts_with(['<', '>', '≤', '≥'])
+            };
+            let is_joint = |word: &str| is_apart && ends(word) && compares(word);
+            let joint = JOINTS.iter().find(|(word, _)| is_joint(word));
             return joint.map(|(word, mark)| (*mark, word.len()));
         }
     };

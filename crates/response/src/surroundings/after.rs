@@ -1,10 +1,11 @@
 //! Words, remarks and reasons after an answer.
 
 use super::before::is_of_motion;
+use crate::counts::in_words;
 use crate::letters::{combining, greek_word};
 use crate::signs::{is_apostrophe, is_minus};
 use crate::vocabulary::ALIASES;
-use crate::words::{ASIDES, REASONS, REMARKS, SEALS, TRAILS, TURNING};
+use crate::words::{ASIDES, ENDS, OF_MINUS, REASONS, REMARKS, SEALS, TRAILS, TURNING};
 use vibank_formula::expr::Function;
 use vibank_formula::unit::Unit;
 use vibank_source::lower;
@@ -80,7 +81,7 @@ fn aside(text: &str) -> Option<usize> {
         .split(' ')
         .any(|word| word.chars().count() > MIN_LETTERS)
         && before.chars().all(is_of_words);
-    if is_named && aside.contains(['<', '>']) {
+    if is_named && aside.contains(['<', '>']) || is_unit_again(before, aside) {
         return length();
     }
     let is_number = |word: &str| word.bytes().all(|byte| byte.is_ascii_digit());
@@ -101,9 +102,13 @@ fn aside(text: &str) -> Option<usize> {
     }
     let is_word = |word: &str| {
         let word = word.trim_end_matches([',', ';', '.', '!', '?']);
-        let mut letters = word.chars();
-        !word.is_empty()
-            && letters.all(|char| char.is_alphabetic() || char == '-' || is_apostrophe(char))
+        let is_of_index =
+            |char: char| char == '_' || char.is_ascii_digit() || ('₀'..='₉').contains(&char);
+        let is_of_word = |char: char| {
+            char.is_alphabetic() || char == '-' || is_apostrophe(char) || is_of_index(char)
+        };
+        word.starts_with(|first: char| first.is_alphabetic() || is_apostrophe(first))
+            && word.chars().all(is_of_word)
     };
     // `(sin θ - μ cos θ sign ẋ)` is a factor.
     let is_no_letter = |word: &str| {
@@ -114,13 +119,37 @@ fn aside(text: &str) -> Option<usize> {
     };
     // One word alone may name an option, `underdamped (aperiodic)`; after a value it is a remark, `0.285 (underdamped)`,
     // unless it says of the value that it is another one, `20 mm (left)`.
-    let is_of_value = || ends_in_value(before) && !TURNING.contains(&lower(aside).as_str());
-    let are_words = (words.clone().count() > 1 || is_of_value())
+    let is_negative = || {
+        let value = before.rsplit('=').next().unwrap_or(before);
+        value.trim_start().starts_with(is_minus) && OF_MINUS.contains(&lower(aside).as_str())
+    };
+    let turns = || TURNING.contains(&lower(aside).as_str()) && !is_negative();
+    let is_of_value = || ends_in_value(before) && !turns();
+    // `(both included)` says of a range what belongs to it.
+    let says_ends = ENDS.iter().any(|(own, _)| aside.ends_with(own));
+    let are_words = !says_ends
+        && (words.clone().count() > 1 || is_of_value())
         && !words.clone().any(is_spoken_sign)
         && words.clone().all(is_word)
         && words.any(is_no_letter)
         && Unit::read(aside).is_err();
     if are_words { length() } else { None }
+}
+
+/// Whether a unit is the one in which a text ends, `0.7 s (seconds)`.
+fn is_unit_again(before: &str, unit: &str) -> bool {
+    let Ok(again) = Unit::read(unit) else {
+        return false;
+    };
+    let is_it = |own: &str| {
+        Unit::read(own).is_ok_and(|own| {
+            own.dimension() == again.dimension()
+                && own.to_si(1.0) == again.to_si(1.0)
+                && own.angles() == again.angles()
+        })
+    };
+    let mut units = before.match_indices(' ').map(|(at, _)| before[at..].trim());
+    !again.is_one() && units.any(is_it)
 }
 
 /// Whether a text ends in a number, perhaps with a unit after a space.
@@ -194,12 +223,24 @@ fn remark(text: &str) -> Option<usize> {
     let in_brackets = |open, close| text.strip_suffix(close)?.rsplit_once(open);
     let (before, said) = in_brackets(" (", ')')
         .or_else(|| in_brackets(" [", ']'))
+        .or_else(|| behind_list(text))
+        .or_else(|| text.rsplit_once(" → "))
+        .or_else(|| text.rsplit_once(" -> "))
+        .or_else(|| text.rsplit_once(" so "))
         .or_else(|| text.rsplit_once(", "))?;
     let first = before.chars().next()?;
     let begins = first.is_ascii_digit() || "([{.".contains(first) || is_minus(first);
-    let is_value = begins || before.contains('=');
+    let is_value = begins || before.contains('=') || in_words(before).is_some();
     let is_said = REMARKS.contains(&lower(said.trim()).as_str());
     (is_value && is_said).then(|| text.len() - before.len())
+}
+
+/// A list and the words right after it, `(1, 1) translation`.
+fn behind_list(text: &str) -> Option<(&str, &str)> {
+    let end = text.rfind([')', ']'])? + 1;
+    let said = text[end..].strip_prefix(' ')?;
+    said.starts_with(char::is_alphabetic)
+        .then(|| (&text[..end], said))
 }
 
 /// The length of what says to how many figures an answer is given: `to 3 s.f.`, `to 3 significant figures`.

@@ -43,6 +43,14 @@ pub(crate) fn program(text: &str) -> Option<(usize, usize)> {
     if let Some(head) = head.filter(|_| text.ends_with(']')) {
         return Some((head.len(), 1));
     }
+    // `span{(1, 0), (0, 1)}`
+    let spans = [("span{", '}'), ("span(", ')'), ("span\\{", '}')];
+    let span = spans
+        .iter()
+        .find(|(head, end)| text.starts_with(head) && text.ends_with(*end));
+    if let Some((head, _)) = span.filter(|(head, _)| text.len() > head.len() + 2) {
+        return Some((head.len(), if text.ends_with("\\}") { 2 } else { 1 }));
+    }
     let inner = text.strip_prefix('{')?.strip_suffix('}')?;
     // `{x1(t) = …, x2(t) = …}`, as Maple gives solutions.
     let is_set = || {

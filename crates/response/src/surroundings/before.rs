@@ -3,7 +3,7 @@
 use super::behind_words;
 use crate::letters::{greek_word, is_dotted};
 use crate::signs::{BULLETS, is_apostrophe, is_minus};
-use crate::words::LEADS;
+use crate::words::{LEADS, REMARKS};
 use vibank_source::lower;
 
 /// Marks of Markdown before a heading, and around words that are set apart.
@@ -94,6 +94,14 @@ pub(crate) fn described(text: &str) -> Option<usize> {
         .then(|| text.len() - value.len())
 }
 
+/// The length of words before a list that say what can be seen in it, `in phase, (1, 0.3)`.
+pub(crate) fn remark_before(text: &str) -> Option<usize> {
+    let at = text.find(['(', '[']).filter(|at| *at > 0)?;
+    let said = text[..at].trim_end_matches([' ', ',', ':']);
+    let is_apart = said.len() < at && text[at..].contains([',', ';']);
+    (is_apart && REMARKS.contains(&lower(said).as_str())).then_some(at)
+}
+
 /// The length of what names an equation of motion before it, with its colon: `Block 1: m x'' = -k x`, `m1: …`, `eq. (2): …`,
 /// `ΣF = m a: …`. A sum or a product before a colon may be divided by what comes after it.
 pub(crate) fn named_equation(text: &str) -> Option<usize> {
@@ -133,6 +141,9 @@ pub(crate) fn bullet(text: &str) -> Option<usize> {
         let behind = behind.trim_start_matches(' ');
         (!behind.is_empty()).then(|| text.len() - behind.len())
     };
+    if let Some(behind) = text.strip_prefix(": ") {
+        return length(behind);
+    }
     if let Some(behind) = BULLETS.iter().find_map(|mark| text.strip_prefix(mark)) {
         return length(behind);
     }

@@ -2,6 +2,7 @@
 
 use super::{MAX_FORMULA_LENGTH, Part, Values};
 use crate::amount::{Amount, split};
+use crate::counts;
 use crate::lost_power::lost_power;
 use crate::parser::Parser;
 use crate::signs::MIDDLE_POINT;
@@ -27,6 +28,9 @@ impl Values<'_> {
         if let Some(amount) = inner.as_ref().and_then(|inner| self.literal(inner)) {
             return Ok(amount);
         }
+        if let Some(amount) = self.in_words(part).or_else(|| self.mixed(part)) {
+            return Ok(amount);
+        }
         self.refuse(part, inner.as_ref())?;
         let whole = self.formula(part);
         if let Some(mut amount) = lost_power(&self.tokens[part.clone()], self.text) {
@@ -45,6 +49,63 @@ impl Values<'_> {
             .extend(others.filter_map(|other| self.checked(other, part).ok()));
         amount.others.extend(self.by_middle_point(part));
         Ok(amount)
+    }
+
+    /// The amount that words are, `one third`, `fifty %`.
+    fn in_words(&self, part: &Part) -> Option<Amount> {
+        let text = self.text(part);
+        if !text.starts_with(char::is_alphabetic) {
+            return None;
+        }
+        let (value, is_percent) = counts::in_words(text)?;
+        let unit = if is_percent {
+            Unit::read("%").ok()?
+        } else {
+            Unit::ONE
+        };
+        Some(Amount::ratio(value, unit))
+    }
+
+    /// An integer and a fraction after it, `33 1/3 %`.
+    fn mixed(&self, part: &Part) -> Option<Amount> {
+        let (numbers, unit) = match &self.tokens[part.clone()] {
+            [
+                numbers @ ..,
+                Token {
+                    item: Item::Unit(unit),
+                    ..
+                },
+            ] => (numbers, **unit),
+            _ => return None,
+        };
+        // `3 1/2 m` may be a product.
+        if Ok(unit) != Unit::read("%") {
+            return None;
+        }
+        let [whole, above, slash, below] = numbers else {
+            return None;
+        };
+        let number = |token: &Token| match token.item {
+            Item::Number(number) if number.denominator() == 1 => Some(number),
+            _ => None,
+        };
+        let fraction = number(above)?.checked_div(number(below)?)?;
+        let is_mixed = above.is_spaced && slash.item == Item::Sign('/') && fraction < Rational::ONE;
+        let value = number(whole)?.checked_add(fraction).filter(|_| is_mixed)?;
+        Some(Amount::ratio(value, unit))
+    }
+
+    /// The ratio of two numbers around a colon, `2:7`.
+    pub fn ratio(&self, part: &Part) -> Option<Amount> {
+        let [above, colon, below] = &self.tokens[part.clone()] else {
+            return None;
+        };
+        let (Item::Number(above), Item::Number(below)) = (&above.item, &below.item) else {
+            return None;
+        };
+        let is_ratio = colon.item == Item::Sign(':');
+        let value = above.checked_div(*below).filter(|_| is_ratio)?;
+        Some(Amount::ratio(value, Unit::ONE))
     }
 
     /// The decimal that a product of two integers may be, `6·1237 m`.

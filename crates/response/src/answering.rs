@@ -1,0 +1,105 @@
+//! The one statement of a response that answers, among others that say what else is known: `k = 3 N/m, m = 2 kg`,
+//! `with k = 3 N/m we get ω = 5 rad/s`, `v = 3 m/s at x = 0`.
+
+use super::Passage;
+use super::sides::{is_word, without_arguments};
+use super::signs::is_apostrophe;
+use super::stated::{label, moved, statements_by, word_at};
+use super::words::{CONCLUSIONS, PLACES};
+use vibank_source::Span;
+
+/// The only statement that `answers` among others, or the first one where it has no equals sign.
+pub(crate) fn answering<'t>(text: &'t str, answers: impl Fn(Passage<'t>) -> bool) -> Option<Span> {
+    // `x = 3 m or y = 4 m` leaves a choice, an inequality is one that counts.
+    let is_open = text.split(' ').any(|word| word == "or") || text.contains(['<', '>', '≤', '≥']);
+    if is_open {
+        return None;
+    }
+    let start = text.len() - text.strip_prefix("with ").unwrap_or(text).len();
+    let all = statements_by(&text[start..], |rest| {
+        word_at(rest).or_else(|| condition_at(rest)).or_else(|| {
+            // `x1 : x2 = 1 : 2` is a ratio.
+            let before = &text[start..text.len() - rest.len()];
+            conclusion_at(rest).filter(|_| before.contains('='))
+        })
+    });
+    let all: Vec<Span> = all.into_iter().map(|own| moved(own, start)).collect();
+    if all.len() < 2 {
+        return None;
+    }
+    let label = |own: &Span| label(text, *own).map(|label| Passage::of(&text[label.range()]));
+    let is_answer = |own: &&Span| label(own).is_some_and(&answers);
+    let mut answering = all.iter().filter(is_answer);
+    // `V'' = 3 J at θ = 0` says where the only value holds.
+    let is_condition = |own: &&Span| {
+        let before = text[..own.range().start].trim_end();
+        PLACES.iter().any(|word| before.ends_with(word))
+    };
+    match (answering.next(), answering.next()) {
+        (Some(only), None) => label(&all[0]).map(|_| *only),
+        (None, _) if label(&all[0]).is_none() || all[1..].iter().all(|own| is_condition(&own)) => {
+            Some(all[0])
+        }
+        _ => None,
+    }
+}
+
+/// The length of the word with which a text begins and that says where a value holds, `at x = 0`.
+fn condition_at(text: &str) -> Option<usize> {
+    let word = PLACES.iter().find(|word| {
+        let behind = text.strip_prefix(**word);
+        behind.is_some_and(|behind| behind.starts_with(' '))
+    })?;
+    let (label, _) = text[word.len()..].split_once('=')?;
+    let label = label.trim().trim_end_matches(is_apostrophe);
+    is_word(without_arguments(label)).then_some(word.len())
+}
+
+/// The length of what follows from what stands before it, `we get T = 3 s` and `: T = 3 s`.
+fn conclusion_at(text: &str) -> Option<usize> {
+    let word = CONCLUSIONS.iter().find(|word| text.starts_with(**word))?;
+    let (label, _) = text[word.len()..].split_once('=')?;
+    is_word(without_arguments(label.trim())).then_some(word.len())
+}
+
+/// A text without what says at its end where it holds, `x < 3 m at t = 0`.
+pub(crate) fn without_condition(text: &str) -> &str {
+    let mut spaces = text.match_indices(' ');
+    let relates = |rest: &str| rest.contains(['<', '>', '≤', '≥']);
+    let found = spaces.find(|(at, _)| {
+        let rest = &text[at + 1..];
+        condition_at(rest).is_some() && !relates(rest) && relates(&text[..*at])
+    });
+    found.map_or(text, |(at, _)| text[..at].trim_end_matches([' ', ',']))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn one_statement_answers() {
+        let of = |text: &'static str| {
+            let answers = |label: Passage<'_>| label.is("k");
+            answering(text, answers).map(|place| &text[place.range()])
+        };
+        for (typed, answer) in [
+            ("k = 3 N/m, K = 4 N/m", Some("k = 3 N/m")),
+            ("K = 4 N/m; k = 3 N/m", Some("k = 3 N/m")),
+            ("K = 4 N/m so k = 3 N/m", Some("k = 3 N/m")),
+            ("with T = 4 s we get k = 3 N/m", Some("k = 3 N/m")),
+            ("with T = 4 s: k = 3 N/m", Some("k = 3 N/m")),
+            ("k = 3 N/m (T = 4 s, f = 5 Hz)", Some("k = 3 N/m")),
+            ("3 N/m (T = 4 s)", Some("3 N/m")),
+            ("k = 3 N/m at x = 0", Some("k = 3 N/m")),
+            ("V = 3 N/m at x = 0", Some("V = 3 N/m")),
+            ("k = 3 N/m, k = 4 N/m", None),
+            ("k = 3 N/m or K = 4 N/m", None),
+            ("K = 3 N/m, T = 4 s", None),
+            ("k > 3 N/m, T = 4 s", None),
+            ("k = 3 N/m", None),
+        ] {
+            assert_eq!(of(typed), answer, "{typed}");
+        }
+    }
+}

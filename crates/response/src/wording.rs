@@ -1,0 +1,330 @@
+//! Words by what they mean: stems, with one word for all that mean the same in the field, without those that say nothing.
+
+use std::collections::BTreeMap;
+use std::sync::LazyLock;
+
+use super::letters::{greek_word, letter};
+use super::words::{FILLERS, PREFIXES, RUNS_OF_WORDS, STRESSES, SUFFIXES, SYNONYMS, THINGS};
+use vibank_source::lower;
+
+/// The words of a text that say something, in their order.
+///
+/// ```
+/// use vibank_response::Wording;
+///
+/// let option = Wording::of("statically only");
+/// assert!(Wording::of("only static").is_within(&option));
+/// assert!(!Wording::of("not static").is_within(&option));
+/// ```
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Wording(Vec<String>);
+
+/// Each stem of a row of synonyms, and the one that stands for all of it.
+static MEANT: LazyLock<BTreeMap<String, String>> = LazyLock::new(|| {
+    let rows = SYNONYMS.iter().filter_map(|row| row.split_first());
+    let rows = rows.flat_map(|(first, others)| {
+        let own = stem(first);
+        let others = others.iter().map(|other| stem(other));
+        others.map(move |other| (other, own.clone()))
+    });
+    rows.collect()
+});
+
+/// A denial, whatever its word.
+const NOT: &str = "not";
+/// Words that make another value of what stands beside them.
+const FACTORS: [&str; 8] = [
+    "half", "double", "twice", "squared", "square", "inverse", "third", "negative",
+];
+/// Words that join what is said on their two sides.
+const JOINTS: [&str; 2] = ["and", "or"];
+
+impl Wording {
+    /// The words of a text, folded or not.
+    pub fn of(text: &str) -> Self {
+        Self::read(text, meant)
+    }
+
+    /// The same where each word stands for itself alone.
+    pub fn literal(text: &str) -> Self {
+        Self::read(text, stem)
+    }
+
+    fn read(text: &str, meant: impl Fn(&str) -> String) -> Self {
+        let text = lower(text);
+        let text = RUNS_OF_WORDS.iter().fold(text, |text, (run, word)| {
+            if text.contains(run) {
+                text.replace(run, word)
+            } else {
+                text
+            }
+        });
+        let mut words: Vec<String> = Vec::new();
+        let mut prefix = None;
+        for piece in joined(&text).split(is_gap) {
+            let plain: String = piece
+                .chars()
+                .filter(|char| !"-_'\\$".contains(*char))
+                .collect();
+            if plain.is_empty() {
+                continue;
+            }
+            if PREFIXES.contains(&plain.as_str()) {
+                words.extend(prefix.replace(plain).as_deref().map(&meant));
+                continue;
+            }
+            let whole = prefix.take().unwrap_or_default() + &plain;
+            let own = meant(&whole);
+            if !FILLERS.contains(&whole.as_str()) && words.last() != Some(&own) {
+                words.push(own);
+            }
+        }
+        words.extend(prefix.as_deref().map(&meant));
+        Self(words)
+    }
+
+    /// The words of a question, and those that stress what is said.
+    pub fn of_question(text: &str) -> Self {
+        Self::of(&format!("{STRESSES} {text}"))
+    }
+
+    /// With the words for what is asked about, which may be said beside any option.
+    #[must_use]
+    pub fn with_things(self) -> Self {
+        self.joined(&Self::of(&THINGS.join(" ")))
+    }
+
+    /// Whether nothing is said.
+    pub fn is_empty(&self) -> bool {
+        self.0.is_empty()
+    }
+
+    /// How many words say something.
+    pub fn count(&self) -> usize {
+        self.0.len()
+    }
+
+    /// Whether a word of it is that of another, or means the same.
+    pub fn has(&self, word: &str) -> bool {
+        Self::of(word).0.iter().all(|own| self.0.contains(own))
+    }
+
+    /// With the words of another text after its own.
+    #[must_use]
+    pub fn joined(mut self, other: &Self) -> Self {
+        self.0.extend(other.0.iter().cloned());
+        self
+    }
+
+    /// Without the words that others do not have; none where one of them is no part of `said` either.
+    pub fn known_among(&self, others: &[Self], said: &Self) -> Option<Self> {
+        let is_known = |word: &&String| others.iter().any(|other| other.0.contains(word));
+        let (known, unknown): (Vec<&String>, Vec<&String>) = self.0.iter().partition(is_known);
+        let is_said = unknown.iter().all(|word| said.0.contains(word));
+        is_said.then(|| Self(known.into_iter().cloned().collect()))
+    }
+
+    /// Whether words that are among these or say nothing make up a text.
+    pub(crate) fn covers(&self, text: &str) -> bool {
+        let own = Self::of(text);
+        let is_plain = text
+            .chars()
+            .all(|char| char.is_alphabetic() || " -',".contains(char));
+        is_plain && !own.denies() && own.0.iter().all(|word| self.0.contains(word))
+    }
+
+    /// A value without the words before and after it that are among these or say nothing; none where there are none, and
+    /// where one of them makes another value of it.
+    pub(crate) fn trimmed_off<'t>(&self, value: &'t str) -> Option<&'t str> {
+        let is_said = |word: &str| {
+            let word = word.trim_end_matches([',', ';', '.']);
+            let own = Self::of(word);
+            word.chars().all(|char| char.is_alphabetic() || char == '-')
+                && word.chars().count() > 1
+                && !FACTORS.contains(&word)
+                && !own.denies()
+                && own.0.iter().all(|word| self.0.contains(word))
+        };
+        let value = value.trim();
+        let mut rest = value;
+        while let Some((before, _)) = rest.rsplit_once(' ').filter(|(_, word)| is_said(word)) {
+            rest = before.trim_end_matches([' ', ',']);
+        }
+        let after = &value[rest.len()..];
+        while let Some((_, behind)) = rest.split_once(' ').filter(|(word, _)| is_said(word)) {
+            rest = behind.trim_start();
+        }
+        let before = &value[..value.len() - after.len() - rest.len()];
+        // `5 per` goes on.
+        let says = |words: &str| words.is_empty() || !Self::of(words).is_empty();
+        if !says(after) || !says(before) {
+            return None;
+        }
+        let has_digit = rest.contains(|char: char| char.is_ascii_digit());
+        (rest.len() < value.len() && has_digit).then_some(rest)
+    }
+
+    /// Whether it has a word of one of the others.
+    pub fn touches(&self, others: &[Self]) -> bool {
+        let is_known = |word: &String| others.iter().any(|other| other.0.contains(word));
+        self.0.iter().any(is_known)
+    }
+
+    /// Whether something is denied.
+    pub fn denies(&self) -> bool {
+        self.0.iter().any(|word| word == NOT)
+    }
+
+    /// Whether both have the same words, in any order.
+    pub fn is_same(&self, other: &Self) -> bool {
+        let all_in = |one: &Self, other: &Self| one.0.iter().all(|word| other.0.contains(word));
+        all_in(self, other) && all_in(other, self)
+    }
+
+    /// Whether its words stand one after the other in another text.
+    pub fn is_run_of(&self, other: &Self) -> bool {
+        other
+            .0
+            .windows(self.0.len().max(1))
+            .any(|run| run == self.0)
+    }
+
+    /// Whether its words stand in another text in this order; in any order where that has few.
+    pub fn is_within(&self, other: &Self) -> bool {
+        /// With more words the order says what belongs to what: `lags below and leads above`.
+        const MAX_WORDS: usize = 4;
+        if other.0.len() <= MAX_WORDS {
+            return self.0.iter().all(|word| other.0.contains(word));
+        }
+        let mut rest = other.0.iter();
+        self.0.iter().all(|word| rest.any(|own| own == word))
+    }
+
+    /// Whether what it leaves out of an option changes what is said: a denial, or what is joined with it there and stands
+    /// in some of the other options alone.
+    pub fn leaves_out(&self, option: &Self, others: &[&Self]) -> bool {
+        let mut left = option.0.iter().filter(|word| !self.0.contains(word));
+        let is_joined = |word: &str| JOINTS.contains(&word);
+        let joins = left.clone().any(|word| is_joined(word));
+        let tells = |word: &String| {
+            let count = others.iter().filter(|other| other.0.contains(word)).count();
+            !is_joined(word) && 0 < count && count < others.len()
+        };
+        left.clone().any(|word| word == NOT) || joins && left.any(tells)
+    }
+}
+
+/// Signs that stand between words.
+fn is_gap(char: char) -> bool {
+    char.is_whitespace() || ",;:.()[]{}\"!?…→".contains(char)
+}
+
+/// The spelling in which the sides of a short comparison are one word, `L = m`.
+fn joined(text: &str) -> String {
+    /// What stands beside an equals sign is a word of its own if it is longer.
+    const MAX_LETTERS: usize = 4;
+    let mut words: Vec<String> = Vec::new();
+    let is_sign = |word: &str| matches!(word, "=" | "<" | ">" | "≤" | "≥");
+    let is_short = |word: &str| word.chars().count() <= MAX_LETTERS;
+    let mut pieces = text.split_whitespace().peekable();
+    while let Some(piece) = pieces.next() {
+        let next = pieces.peek().copied().unwrap_or_default();
+        let is_joined =
+            is_sign(piece) && is_short(next) && words.last().is_some_and(|last| is_short(last));
+        match words.last_mut().filter(|_| is_joined) {
+            Some(last) => {
+                last.push_str(piece);
+                last.push_str(next);
+                pieces.next();
+            }
+            None => words.push(piece.to_owned()),
+        }
+    }
+    words.join(" ")
+}
+
+/// The word that stands for all that mean the same.
+fn meant(word: &str) -> String {
+    let own = stem(word);
+    MEANT.get(&own).cloned().unwrap_or(own)
+}
+
+/// A word without its ending; a Greek letter by its name.
+fn stem(word: &str) -> String {
+    /// Shorter words have no endings.
+    const MIN_LETTERS: usize = 4;
+    if word.chars().count() == 1 {
+        return letter(word).map_or_else(|| word.to_owned(), |(_, name)| name);
+    }
+    if greek_word(word).is_some() || !word.chars().all(char::is_alphabetic) {
+        return word.to_owned();
+    }
+    // `frequencies`
+    if let Some(head) = word.strip_suffix("ies") {
+        return format!("{head}y");
+    }
+    let mut own = word;
+    for ends in SUFFIXES {
+        let cut = ends.iter().find_map(|end| own.strip_suffix(end));
+        if let Some(cut) =
+            cut.filter(|cut| cut.chars().count() + 1 >= MIN_LETTERS && !own.ends_with("ss"))
+        {
+            own = cut;
+        }
+    }
+    let mut letters = own.chars().rev();
+    let is_doubled =
+        own.len() < word.len() && !own.ends_with('s') && letters.next() == letters.next();
+    own[..own.len() - usize::from(is_doubled && own.is_ascii())].to_owned()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn words_of_one_meaning_are_one() {
+        for (one, other) in [
+            ("elastically", "elastic"),
+            ("dynamically", "dynamic"),
+            ("inertia", "inertial"),
+            ("lagging", "lags"),
+            ("overdamped", "aperiodic"),
+            ("pseudo periodic", "pseudo-periodic"),
+            ("half cycles", "half-cycle"),
+            ("in phase", "the in-phase"),
+            ("K = 0", "K=0"),
+            ("theta", "θ"),
+            ("always", "at every"),
+            ("frequencies", "frequency"),
+            ("it crosses", "cross"),
+        ] {
+            assert!(
+                Wording::of(one).is_same(&Wording::of(other)),
+                "{one}, {other}: {:?} {:?}",
+                Wording::of(one),
+                Wording::of(other)
+            );
+        }
+        for (one, other) in [
+            ("stable", "unstable"),
+            ("overdamped", "underdamped"),
+            ("in phase", "out of phase"),
+            ("half-cycles", "cycles"),
+            ("static", "not static"),
+            ("L = m", "L = 1/k"),
+        ] {
+            assert!(
+                !Wording::of(one).is_same(&Wording::of(other)),
+                "{one}, {other}"
+            );
+        }
+    }
+
+    #[test]
+    fn the_order_of_many_words_counts() {
+        let option = Wording::of("lags below ω_n and leads above");
+        assert!(Wording::of("lags below and leads above").is_within(&option));
+        assert!(!Wording::of("leads below and lags above").is_within(&option));
+    }
+}
