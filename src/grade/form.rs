@@ -161,9 +161,11 @@ impl Forms<'_> {
     /// with it.
     fn formula(&self, sides: Vec<Passage<'_>>) -> Option<Marking> {
         let (marked, _) = self.unnamed(sides);
-        let is_unread =
-            |side: &FormedSide<'_>| side.own.reading.is_none() && side.other.reading.is_none();
-        if !(2..=MAX_SIDES).contains(&marked.len()) || marked.iter().any(is_unread) {
+        if !(2..=MAX_SIDES).contains(&marked.len())
+            || marked
+                .iter()
+                .any(|side| side.own.reading.is_none() && side.other.reading.is_none())
+        {
             return None;
         }
         let is_in_form = |side: &&FormedSide<'_>| side.own.reading.is_some();
@@ -326,12 +328,14 @@ fn share(solution: &Solution<'_>, place: usize, sheet: &Sheet<'_>) -> Option<Cre
         Some((solution.evaluation().real(key).ok()?, dimension))
     };
     let own = key(place)?;
-    let is_alike = |(value, dimension): (f64, _)| {
-        // Both values are computed from the same data, and neither was rounded by a person.
-        const SAME: f64 = 1e-12;
-        dimension == own.1 && (value - own.0).abs() <= SAME * own.0.abs()
+    let is_asked_again = |at: &usize| {
+        *at != place
+            && key(*at).is_some_and(|(value, dimension)| {
+                // Both values are computed from the same data, and neither was rounded by a person.
+                const SAME: f64 = 1e-12;
+                dimension == own.1 && (value - own.0).abs() <= SAME * own.0.abs()
+            })
     };
-    let is_asked_again = |at: &usize| *at != place && key(*at).is_some_and(is_alike);
     if sheet.asked.iter().any(is_asked_again) {
         return None;
     }

@@ -228,9 +228,11 @@ fn slots(given: &ModelGiven<'_>) -> Slots {
     .chain(equilibrium.formula().into_iter().flatten())
     .for_each(&mut collect);
     let time = Name::new("t");
-    let is_constant = |name: &Name| *name != time && !energies.coordinates.contains(name);
     Slots {
-        constants: names.into_iter().filter(is_constant).collect(),
+        constants: names
+            .into_iter()
+            .filter(|name| *name != time && !energies.coordinates.contains(name))
+            .collect(),
         coordinates: energies.coordinates.clone(),
     }
 }

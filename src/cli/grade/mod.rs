@@ -264,19 +264,22 @@ fn input(
     sheets: &Sheets,
     bank: &str,
 ) -> Result<String, Failure> {
-    let digest = |path: &Path| files::digest_of(path);
-    let overrides = arguments.overrides.as_deref().map(digest).transpose()?;
-    let decisions = decisions.map(digest).transpose()?;
+    let overrides = arguments
+        .overrides
+        .as_deref()
+        .map(files::digest_of)
+        .transpose()?;
+    let decisions = decisions.map(files::digest_of).transpose()?;
     let earlier: Vec<String> = sheets
         .earlier()
         .iter()
-        .map(|path| digest(path))
+        .map(|path| files::digest_of(path))
         .collect::<Result<_, _>>()?;
     let earlier = earlier.concat();
     Ok(format!(
         "vibank {} {}{earlier} {} {} {} {bank} {} {} {} {} {}",
         env!("CARGO_PKG_VERSION"),
-        digest(&arguments.manifest)?,
+        files::digest_of(&arguments.manifest)?,
         saved::digest(&arguments.responses)?,
         overrides.as_deref().unwrap_or("-"),
         decisions.as_deref().unwrap_or("-"),

@@ -268,15 +268,15 @@ impl SheetRun<'_, '_> {
         &self,
         catalogue: &vibank::bank::Catalogue,
     ) -> Result<Option<(String, &'static str)>, Failure> {
-        let wants = |student: &Student| {
-            student.columns.iter().any(|(name, value)| {
-                name.eq_ignore_ascii_case("format") && value.trim().eq_ignore_ascii_case("screen")
-            })
-        };
         let wanted: BTreeSet<&str> = self
             .students
             .iter()
-            .filter(|student| wants(student))
+            .filter(|student| {
+                student.columns.iter().any(|(name, value)| {
+                    name.eq_ignore_ascii_case("format")
+                        && value.trim().eq_ignore_ascii_case("screen")
+                })
+            })
             .map(|student| student.id.as_str())
             .collect();
         if wanted.is_empty() || !self.arguments.shard.is_whole() {

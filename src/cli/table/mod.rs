@@ -271,12 +271,11 @@ pub(crate) fn delimiter(text: &str) -> u8 {
     let header = lines.next().unwrap_or_default();
     // Quotation marks do not nest: every other piece lies outside of them.
     let outside = || header.split('"').step_by(2);
-    let count = |sign: u8| {
-        let bytes = outside().flat_map(str::bytes);
-        bytes.filter(|byte| *byte == sign).count()
-    };
     [b'\t', b';', b',']
         .into_iter()
-        .max_by_key(|sign| count(*sign))
+        .max_by_key(|sign| {
+            let bytes = outside().flat_map(str::bytes);
+            bytes.filter(|byte| *byte == *sign).count()
+        })
         .unwrap_or(b',')
 }

@@ -488,8 +488,10 @@ fn unsigned(own: &Polynomial, written: Expr, writer: &NormalWriter<'_>) -> Expr 
     if !begins_with_sign(&written) {
         return written;
     }
-    let is_negative = |(_, coefficient): &(&Monomial, &Rational)| coefficient.is_negative();
-    let (negative, positive): (Vec<_>, Vec<_>) = own.0.iter().partition(is_negative);
+    let (negative, positive): (Vec<_>, Vec<_>) = own
+        .0
+        .iter()
+        .partition(|(_, coefficient)| coefficient.is_negative());
     if positive.is_empty() {
         return written;
     }
