@@ -350,7 +350,6 @@ fn part<'a>(pages: &'a Pages, part: &'a PartSummary) -> ReportPartView<'a> {
                 x += width;
                 piece
             });
-    let none = || "–".to_owned();
     let discrimination = part
         .discrimination
         .map(|own| pages.run.marked(&signed(own)));
@@ -361,8 +360,8 @@ fn part<'a>(pages: &'a Pages, part: &'a PartSummary) -> ReportPartView<'a> {
         title: &part.title,
         asked: part.asked,
         pieces: pieces.collect(),
-        facility: part.facility.map_or_else(none, percent),
-        discrimination: discrimination.unwrap_or_else(none),
+        facility: part.facility.map_or_else(|| "–".to_owned(), percent),
+        discrimination: discrimination.unwrap_or_else(|| "–".to_owned()),
         hint: hint(part, words),
         follow_through: match part.follow_through {
             0 => String::new(),

@@ -106,12 +106,11 @@ impl<'f> MovingFigure<'f> {
             .map(|state| self.motion.displacements(&mut self.values, state))
             .collect();
         let poses = self.scaled(&all);
-        let is_still = |place: usize| self.is_still(place);
-        let mut still = self.drawing(&[], is_still);
+        let mut still = self.drawing(&[], |place| self.is_still(place));
         let mut frames: Vec<Drawing> = poses
             .iter()
             .map(|rigid| {
-                let mut frame = self.drawing(rigid, |place| !is_still(place));
+                let mut frame = self.drawing(rigid, |place| !self.is_still(place));
                 self.spokes(rigid, &mut frame);
                 frame
             })
