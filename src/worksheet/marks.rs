@@ -204,7 +204,7 @@ impl Marks {
         let [least, most] = [least, most].map(|points| self.rounded(sum(&points)));
         Total {
             points: least,
-            open: subtract(most, least),
+            open: most.checked_sub(least).unwrap_or(Rational::ZERO),
             max: sum(&max),
         }
     }
@@ -299,10 +299,6 @@ fn sum(points: &[Rational]) -> Rational {
 
 fn add(a: Rational, b: Rational) -> Rational {
     a.checked_add(b).unwrap_or(a)
-}
-
-fn subtract(a: Rational, b: Rational) -> Rational {
-    a.checked_sub(b).unwrap_or(Rational::ZERO)
 }
 
 #[cfg(feature = "render")]

@@ -111,7 +111,7 @@ impl<'f> MovingFigure<'f> {
             .iter()
             .map(|rigid| {
                 let mut frame = self.drawing(rigid, |place| !self.is_still(place));
-                self.spokes(rigid, &mut frame);
+                self.spokes(rigid, &mut frame, Pen::new(Weight::Thin));
                 frame
             })
             .collect();
@@ -236,15 +236,11 @@ impl<'f> MovingFigure<'f> {
                 Pose::Still | Pose::Gone => {}
             }
         }
-        self.spokes_in(rigid, drawing, Pen::new(Weight::Thin).faint());
+        self.spokes(rigid, drawing, Pen::new(Weight::Thin).faint());
     }
 
     /// A line on what is round, without which nobody sees it turn.
-    fn spokes(&self, rigid: &[Rigid], drawing: &mut Drawing) {
-        self.spokes_in(rigid, drawing, Pen::new(Weight::Thin));
-    }
-
-    fn spokes_in(&self, rigid: &[Rigid], drawing: &mut Drawing, pen: Pen) {
+    fn spokes(&self, rigid: &[Rigid], drawing: &mut Drawing, pen: Pen) {
         let moves = self.motion.points.iter().zip(rigid);
         for (point, rigid) in moves {
             if point.turn.is_none() {

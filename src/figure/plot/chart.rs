@@ -5,7 +5,7 @@ use super::frame::Frame;
 use super::lettering::{Letterer, Named};
 use super::{CurveStyle, DASHES, Picture, Plot, PlotError, axis, description};
 use crate::figure::story::Story;
-use crate::figure::{Dash, Drawing, Fill, Path, Pen, Point, Weight};
+use crate::figure::{Dash, Drawing, Fill, Path, Pen, Weight};
 use crate::math::Math;
 
 /// Radius of the dot of a mark.
@@ -33,7 +33,9 @@ pub(crate) fn draw(plot: &Plot<'_>) -> Result<Picture, PlotError> {
     let mut letterer = Letterer::of(&frame, &lines, plot, ends);
     for (number, mark) in plot.marks.iter().enumerate() {
         match place(plot, mark.at).map(|at| frame.place(at)) {
-            Some(at) if Frame::bounds().grown(1e-6).has(at) => dot(&mut drawing, at),
+            Some(at) if Frame::bounds().grown(1e-6).has(at) => {
+                drawing.shape(Path::circle(at, DOT), None, Fill::Ink)
+            }
             _ => {
                 return Err(PlotError::Mark {
                     at: plot.marks[number].at,
@@ -109,8 +111,4 @@ fn pens(plot: &Plot<'_>) -> Vec<Pen> {
             CurveStyle::Band => Pen::new(Weight::Hair),
         })
         .collect()
-}
-
-fn dot(drawing: &mut Drawing, at: Point) {
-    drawing.shape(Path::circle(at, DOT), None, Fill::Ink);
 }
