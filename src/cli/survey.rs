@@ -119,15 +119,15 @@ pub(crate) fn print_examined(examined: &[Examination]) {
             "named mistakes",
             "draws of honest work",
         ];
-        let row = |part: &vibank::examine::PartExamined| {
+        let rows = item.parts.iter().map(|part| {
             vec![
                 part.part.clone(),
                 part.methods.to_string(),
                 part.mistakes.to_string(),
                 part.honest.to_string(),
             ]
-        };
-        table(&head, item.parts.iter().map(row).collect());
+        });
+        table(&head, rows.collect());
         for own in &item.allowed {
             let part = own.part.as_ref().map(|part| format!(" of part `{part}`"));
             println!(

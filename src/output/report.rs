@@ -423,7 +423,7 @@ impl std::fmt::Display for DecidedMark {
 
 fn bars(shares: &Distribution) -> Vec<Bar> {
     let most = shares.tenths.iter().copied().max().unwrap_or(1).max(1) as f64;
-    let bar = |(tenth, count): (usize, &u64)| {
+    let bars = shares.tenths.iter().enumerate().map(|(tenth, count)| {
         let height = (HEIGHT * *count as f64 / most * 10.0).round() / 10.0;
         Bar {
             x: tenth as u32 * 20,
@@ -432,8 +432,8 @@ fn bars(shares: &Distribution) -> Vec<Bar> {
             count: *count,
             from: tenth as u32 * 10,
         }
-    };
-    shares.tenths.iter().enumerate().map(bar).collect()
+    });
+    bars.collect()
 }
 
 /// What a teacher may want to look at; the bounds are the customary ones of classical test theory.

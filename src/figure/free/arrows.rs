@@ -234,8 +234,8 @@ impl<'f> NumberedFigure<'f> {
         let sense = if noun == "moment" {
             let is_left = part.word("sense") != Some("cw");
             let sign = if is_left { 1.0 } else { -1.0 };
-            let does = |motion: &Moved| sign * motion.work_of_moment();
-            agrees(body, force, moved.iter().map(does))?;
+            let works = moved.iter().map(|motion| sign * motion.work_of_moment());
+            agrees(body, force, works)?;
             if is_left {
                 story::Sense::Counterclockwise
             } else {
