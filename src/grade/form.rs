@@ -258,11 +258,11 @@ fn comes_to(solution: &Solution<'_>, formula: &Expr, typed: &Marking) -> bool {
     let free = formula.names().free;
     let names: Vec<&str> = free.iter().map(|own| own.name.as_str()).collect();
     let graph = &solution.template().graph;
-    let value = |own: &Variable| {
+    let values = free.iter().map(|own| {
         let node = graph.find(&own.name).filter(|_| own.order == 0)?;
         solution.evaluation().real(node).ok().map(Precise::exact)
-    };
-    let Some(values) = free.iter().map(value).collect::<Option<Vec<Precise>>>() else {
+    });
+    let Some(values) = values.collect::<Option<Vec<Precise>>>() else {
         return false;
     };
     let program = Program::compile(formula, &Slots(&names));
@@ -328,15 +328,15 @@ fn share(solution: &Solution<'_>, place: usize, sheet: &Sheet<'_>) -> Option<Cre
         Some((solution.evaluation().real(key).ok()?, dimension))
     };
     let own = key(place)?;
-    let is_asked_again = |at: &usize| {
+    let is_asked_again = sheet.asked.iter().any(|at| {
         *at != place
             && key(*at).is_some_and(|(value, dimension)| {
                 // Both values are computed from the same data, and neither was rounded by a person.
                 const SAME: f64 = 1e-12;
                 dimension == own.1 && (value - own.0).abs() <= SAME * own.0.abs()
             })
-    };
-    if sheet.asked.iter().any(is_asked_again) {
+    });
+    if is_asked_again {
         return None;
     }
     sheet

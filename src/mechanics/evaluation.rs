@@ -141,12 +141,12 @@ impl Tangent {
 fn compiled_squares(energies: &Energies) -> Option<Compiled> {
     if !energies.forces.iter().all(|force| force.is_zero()) {
         let names = &energies.coordinates;
-        let depends = |force: &Expr| {
+        let depends = energies.forces.iter().any(|force| {
             names
                 .iter()
                 .any(|name| Normal::of(force).map_or(true, |own| own.mentions(name)))
-        };
-        if energies.forces.iter().any(depends) {
+        });
+        if depends {
             return None;
         }
     }

@@ -253,10 +253,10 @@ impl AttemptSheet<'_> {
                 },
                 // Each try is reported.
                 AnswerTarget::Interaction(own) => {
-                    let is_same = |(known, _): &(&Interaction, &ColumnAnswer)| {
+                    let same = tries.iter().position(|(known, _)| {
                         (&known.item, &known.part, known.code) == (&own.item, &own.part, own.code)
-                    };
-                    match tries.iter().position(is_same) {
+                    });
+                    match same {
                         Some(at) if !self.which.replaces(own, answer, tries[at]) => {}
                         Some(at) => tries[at] = (own, answer),
                         None => tries.push((own, answer)),

@@ -359,12 +359,12 @@ impl<'f> NumberedFigure<'f> {
             if !is_link || body.kept.contains(&place) || is_cut(&place) {
                 continue;
             }
-            let is_held = |cut: &Cut| {
+            let are_held = self.cuts(body, place, Strand::All).iter().all(|cut| {
                 reactions
                     .iter()
                     .any(|reaction| reaction.distance(cut.at) < NEAR)
-            };
-            if !self.cuts(body, place, Strand::All).iter().all(is_held) {
+            });
+            if !are_held {
                 return Err(FreeFault::Uncut {
                     body: body.name.clone(),
                     link: self.link(place),

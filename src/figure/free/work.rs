@@ -92,11 +92,11 @@ pub(crate) fn agrees(
     force: &Force,
     works: impl Iterator<Item = f64>,
 ) -> Result<(), FreeFault> {
-    let is_right = |(work, sign): (f64, &Option<bool>)| match sign {
+    let is_right = works.zip(&force.signs).all(|(work, sign)| match sign {
         None => work.abs() <= SQUARE,
         Some(is_negative) => work.abs() > SQUARE && (work < 0.0) == *is_negative,
-    };
-    if works.zip(&force.signs).all(is_right) {
+    });
+    if is_right {
         return Ok(());
     }
     Err(fault(body, force))

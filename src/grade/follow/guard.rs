@@ -41,11 +41,11 @@ pub(crate) fn is_plausible(
         _ => {}
     }
     let entries = 0..right.shape().len();
-    let is_near = |entry: usize| {
+    let are_near = entries.clone().all(|entry| {
         let (own, right) = (own.entry(entry).abs(), right.entry(entry).abs());
         own.is_finite() && own >= right / PLAUSIBLE && own <= right * PLAUSIBLE && right > 0.0
-    };
-    entries.clone().all(is_near)
+    });
+    are_near
         && (entries
             .into_iter()
             .all(|entry| own.entry(entry).re * right.entry(entry).re >= 0.0)
