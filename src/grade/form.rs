@@ -7,7 +7,7 @@ use crate::answer::{
     AnswerKind, Answered, Close, Credit, Marker, Marking, Naming, Note, Reason, Remark, Slip,
     Verdict, Why, are_one_value,
 };
-use crate::expr::{Expr, Kind, Precise, Program, Slots, Variable, Workspace};
+use crate::expr::{Expr, Kind, Precise, Program, Slots, Workspace};
 use crate::numerics::Rational;
 use crate::response::Passage;
 use crate::solution::Solution;

@@ -520,13 +520,13 @@ impl RunSummary {
 
 /// The folder to write to.
 fn out(arguments: &Arguments) -> PathBuf {
-    let name = || arguments.blueprint.file_stem().unwrap_or("sheet".as_ref());
+    let blueprint = &arguments.blueprint;
     arguments
         .out
         .clone()
         .unwrap_or_else(|| match arguments.make_up[..] {
-            [] => name().into(),
-            _ => make_up::folder(&arguments.blueprint),
+            [] => blueprint.file_stem().unwrap_or("sheet".as_ref()).into(),
+            _ => make_up::folder(blueprint),
         })
 }
 

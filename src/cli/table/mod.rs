@@ -144,18 +144,12 @@ impl Table {
         begins_row: &'t dyn Fn(&TableRow<'_>) -> bool,
     ) -> impl Iterator<Item = Result<TableRow<'t>, Broken<'t>>> {
         let delimiter = self.delimiter().map(char::from);
-        let is_headed = |(at, cell): (usize, &Cow<'_, str>)| {
-            let heading = self.headings.get(at);
-            cell.is_empty() || heading.is_some_and(|heading| !heading.is_empty())
-        };
         self.all(begins_row).skip(1).map(move |row| {
             let row = row?;
-            let Some(at) = row
-                .cells
-                .iter()
-                .enumerate()
-                .position(|cell| !is_headed(cell))
-            else {
+            let Some(at) = row.cells.iter().enumerate().position(|(at, cell)| {
+                let heading = self.headings.get(at);
+                !cell.is_empty() && heading.is_none_or(|heading| heading.is_empty())
+            }) else {
                 return Ok(row);
             };
             let (line, column) = (row.line, at + 1);

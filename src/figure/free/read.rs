@@ -271,7 +271,6 @@ impl<'r, 'a, 's> FreeReader<'r, 'a, 's> {
         row: &'s Value,
     ) -> Option<(Option<Text>, Option<Expr>, WrittenArrow)> {
         let table = Table::of(outer.source(), outer.problems(), "figure.free.arrows", row)?;
-        let kinds = || Contact::ALL.iter().map(|(name, _)| *name);
         let first = table.entries().first();
         let known = first.and_then(|entry| {
             let found = Contact::ALL.iter().find(|(name, _)| *name == entry.key);
@@ -281,7 +280,7 @@ impl<'r, 'a, 's> FreeReader<'r, 'a, 's> {
             self.figure.find(&crate::figure::FigureError::Word {
                 key: "arrow",
                 found: first.map(|entry| entry.key.clone()).unwrap_or_default(),
-                known: kinds().collect(),
+                known: Contact::ALL.iter().map(|(name, _)| *name).collect(),
                 span: row.span,
             });
             return None;
