@@ -125,10 +125,6 @@ struct LostView<'a> {
 impl<'a> LostView<'a> {
     fn of(lost: &'a Lost) -> Self {
         // The table of decisions has all words, a page shows where they begin.
-        let who = |sheet: &LostSheet| match sheet.who() {
-            who if who.is_empty() => sheet.code.clone(),
-            who => format!("{who} ({})", sheet.code),
-        };
         Self {
             place: format!("{}{}", lost.question, lost.letter),
             response: lost.response.chars().take(200).collect(),
@@ -136,6 +132,14 @@ impl<'a> LostView<'a> {
             times: lost.sheets.len(),
             who: lost.sheets.iter().map(who).collect(),
         }
+    }
+}
+
+/// Who a sheet belongs to, and its code.
+fn who(sheet: &LostSheet) -> String {
+    match sheet.who() {
+        who if who.is_empty() => sheet.code.clone(),
+        who => format!("{who} ({})", sheet.code),
     }
 }
 

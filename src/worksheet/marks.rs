@@ -256,18 +256,20 @@ impl Marks {
         let Some(Rounding { step, direction }) = self.rounding else {
             return points;
         };
-        let whole = |steps: Rational| {
-            let (above, below) = (steps.numerator(), steps.denominator());
-            match direction {
-                Direction::Down => above.div_euclid(below),
-                Direction::Up => -(-above).div_euclid(below),
-                Direction::Nearest => (2 * above + below).div_euclid(2 * below),
-            }
-        };
         let rounded = points
             .checked_div(step.0)
-            .and_then(|steps| Rational::new(whole(steps), 1)?.checked_mul(step.0));
+            .and_then(|steps| Rational::new(whole(steps, direction), 1)?.checked_mul(step.0));
         rounded.unwrap_or(points)
+    }
+}
+
+/// How many whole steps so many are, rounded.
+fn whole(steps: Rational, direction: Direction) -> i128 {
+    let (above, below) = (steps.numerator(), steps.denominator());
+    match direction {
+        Direction::Down => above.div_euclid(below),
+        Direction::Up => -(-above).div_euclid(below),
+        Direction::Nearest => (2 * above + below).div_euclid(2 * below),
     }
 }
 

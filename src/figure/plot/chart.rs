@@ -63,9 +63,6 @@ fn axis_label(plot: &Plot<'_>) -> (Math, Option<usize>) {
     if plot.y.label != Math::Row(Vec::new()) {
         return (plot.y.label.clone(), None);
     }
-    let is_named = |curve: &super::Curve<'_>| {
-        curve.label.is_some() && !matches!(curve.style, CurveStyle::Limit | CurveStyle::Band)
-    };
     let mut named = plot
         .curves
         .iter()
@@ -78,6 +75,11 @@ fn axis_label(plot: &Plot<'_>) -> (Math, Option<usize>) {
         ),
         _ => (Math::Row(Vec::new()), None),
     }
+}
+
+/// Whether a curve, which is neither a limit nor a band, has a name.
+fn is_named(curve: &super::Curve<'_>) -> bool {
+    curve.label.is_some() && !matches!(curve.style, CurveStyle::Limit | CurveStyle::Band)
 }
 
 /// The names of the curves, with the pens in a legend if it comes to that.
