@@ -34,7 +34,7 @@ pub(crate) fn draw(plot: &Plot<'_>) -> Result<Picture, PlotError> {
     for (number, mark) in plot.marks.iter().enumerate() {
         match place(plot, mark.at).map(|at| frame.place(at)) {
             Some(at) if Frame::bounds().grown(1e-6).has(at) => {
-                drawing.shape(Path::circle(at, DOT), None, Fill::Ink)
+                drawing.shape(Path::circle(at, DOT), None, Fill::Ink);
             }
             _ => {
                 return Err(PlotError::Mark {

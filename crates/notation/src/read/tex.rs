@@ -340,19 +340,16 @@ impl<'a> Fold<'a> {
         })
     }
 
-    /// A mark, if it is there.
-    fn mark_if(&mut self, is_there: bool) -> Option<Option<Attachment>> {
-        if is_there {
-            self.mark().map(Some)
-        } else {
-            Some(None)
-        }
-    }
-
     fn script(&mut self, ty: ScriptType, position: ScriptPosition) -> Option<Math> {
         let base = self.argument()?;
-        let lower = self.mark_if(ty != ScriptType::Superscript)?;
-        let upper = self.mark_if(ty != ScriptType::Subscript)?;
+        let lower = match ty {
+            ScriptType::Superscript => None,
+            _ => Some(self.mark()?),
+        };
+        let upper = match ty {
+            ScriptType::Subscript => None,
+            _ => Some(self.mark()?),
+        };
         if position != ScriptPosition::AboveBelow {
             if is_degree(&base, lower.as_ref(), upper.as_ref()) {
                 return Some(Math::operator("°", Class::Ordinary));
