@@ -77,7 +77,7 @@ pub(crate) struct Candidate {
 pub(crate) enum Rule {
     /// They do, as for products without signs: by them the conventional reading is right without a doubt.
     Stated,
-    /// Nothing tells, as for three digits after a comma.
+    /// Nothing decides it, as for three digits after a comma.
     None,
 }
 

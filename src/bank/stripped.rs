@@ -261,9 +261,8 @@ impl Stripping<'_> {
         let keys = part.answer.keys();
         let node = *keys.first()?;
         let unit = part.answer.unit();
-        let is_quantity = |name: &Name| self.item.graph.find(name).is_some();
         let named = text(stated, "key").map(str::trim);
-        let named = named.filter(|key| is_quantity(&Name::new(*key)));
+        let named = named.filter(|key| self.item.graph.find(&Name::new(*key)).is_some());
         if let Some(name) = named {
             return Some((name.to_owned(), unit));
         }
@@ -271,7 +270,9 @@ impl Stripping<'_> {
             Some(Kind::Array(entries)) => entries
                 .iter()
                 .map(|entry| match entry.kind() {
-                    Kind::Name(name) if is_quantity(name) => Some(name.to_string()),
+                    Kind::Name(name) if self.item.graph.find(name).is_some() => {
+                        Some(name.to_string())
+                    }
                     _ => None,
                 })
                 .collect::<Option<Vec<String>>>(),

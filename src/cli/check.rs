@@ -155,7 +155,7 @@ impl Wanted {
 
     /// What is wrong with the blueprints, by themselves and with this bank.
     fn look_over_blueprints(&self, catalogue: &Catalogue, seeds: u64) -> Vec<Finding> {
-        let findings = |source: &Source| {
+        let findings = self.blueprints.iter().flat_map(|source| {
             let blueprint = match Blueprint::read(source) {
                 Ok(blueprint) => blueprint,
                 Err(findings) => return findings,
@@ -171,8 +171,8 @@ impl Wanted {
                 findings.extend(errors.map(|finding| own.in_blueprint(finding, source)));
             }
             findings
-        };
-        self.blueprints.iter().flat_map(findings).collect()
+        });
+        findings.collect()
     }
 }
 

@@ -293,11 +293,11 @@ impl Reader {
             .filter(|place| template.stripped(&[*place]).is_some())
             .collect();
         let item = template.stripped(&places);
-        let is_on_paper = |id: &&String| {
+        let on_paper = parts.iter().filter(|id| {
             let part = template.part(id);
             part.is_some_and(|part| part.answer.kind().is_by_hand())
-        };
-        let on_paper = parts.iter().filter(is_on_paper).cloned().collect();
+        });
+        let on_paper = on_paper.cloned().collect();
         let name = |place: &usize| template.parts[*place].id.clone();
         let reads = places.iter().filter(|_| item.is_some());
         Self {

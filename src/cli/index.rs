@@ -245,11 +245,6 @@ fn cache() -> Option<PathBuf> {
     if let Some(named) = setting(VARIABLE) {
         return (!named.is_empty()).then(|| PathBuf::from(named));
     }
-    let folder = |name| {
-        setting(name)
-            .map(PathBuf::from)
-            .filter(|path| path.is_absolute())
-    };
     let usual = if cfg!(windows) {
         folder("LOCALAPPDATA")
     } else if cfg!(target_os = "macos") {
@@ -258,6 +253,13 @@ fn cache() -> Option<PathBuf> {
         folder("XDG_CACHE_HOME").or_else(|| folder("HOME").map(|home| home.join(".cache")))
     };
     usual.map(|usual| usual.join("vibank"))
+}
+
+/// A folder that the environment names by its whole path.
+fn folder(name: &str) -> Option<PathBuf> {
+    setting(name)
+        .map(PathBuf::from)
+        .filter(|path| path.is_absolute())
 }
 
 /// This build of the program: one that was built anew may find other faults in the same item.

@@ -82,22 +82,6 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
 
 /// Whether a folder is empty, or holds what an interrupted command has written of a bank and nothing else.
 fn is_begun(path: &Path) -> bool {
-    let is_ours = |entry: &Path| {
-        let name = entry.strip_prefix(path).ok().and_then(Path::to_str);
-        let name = name.map(|name| name.replace('\\', "/"));
-        let Some(name) = name else {
-            return false;
-        };
-        let (folder, own) = name.rsplit_once('/').unwrap_or(("", &name));
-        let is_draft = |of: &str| {
-            let (place, of) = of.rsplit_once('/').unwrap_or(("", of));
-            place == folder && files::is_draft(own, of)
-        };
-        BANK.iter().any(|(of, text)| {
-            is_draft(of)
-                || *of == name && files::read_bytes(entry).is_ok_and(|held| held == text.as_bytes())
-        })
-    };
     let is_folder = |path: &Path| path.symlink_metadata().is_ok_and(|found| found.is_dir());
     let mut open = vec![path.to_owned()];
     while let Some(folder) = open.pop() {
@@ -111,13 +95,31 @@ fn is_begun(path: &Path) -> bool {
             let entry = entry.path();
             if folder == *path && is_folder(&entry) && entry.ends_with("ch1") {
                 open.push(entry);
-            } else if !is_ours(&entry) {
+            } else if !is_ours(&entry, path) {
                 return false;
             }
         }
     }
     // The file that makes it a bank comes last.
     path.join("bank.toml").symlink_metadata().is_err()
+}
+
+/// Whether a file in a folder is one of those that the program writes there, or a draft of one.
+fn is_ours(entry: &Path, path: &Path) -> bool {
+    let name = entry.strip_prefix(path).ok().and_then(Path::to_str);
+    let name = name.map(|name| name.replace('\\', "/"));
+    let Some(name) = name else {
+        return false;
+    };
+    let (folder, own) = name.rsplit_once('/').unwrap_or(("", &name));
+    let is_draft = |of: &str| {
+        let (place, of) = of.rsplit_once('/').unwrap_or(("", of));
+        place == folder && files::is_draft(own, of)
+    };
+    BANK.iter().any(|(of, text)| {
+        is_draft(of)
+            || *of == name && files::read_bytes(entry).is_ok_and(|held| held == text.as_bytes())
+    })
 }
 
 /// 256 random bits of the system, in hexadecimal digits.

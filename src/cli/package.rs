@@ -149,14 +149,14 @@ impl ReadPackage<'_> {
         let parts: Vec<usize> = (0..template.parts.len())
             .filter(|place| solution.asks(*place) && question.asks(&template.parts[*place]))
             .collect();
-        let points = |place: &usize| {
+        let points = parts.iter().map(|place| {
             let worth = worths
                 .iter()
                 .find(|own| own.id == template.parts[*place].id);
             let points = worth.and_then(|own| Rational::from_decimal(&own.points.to_string()));
             points.unwrap_or(Rational::ONE)
-        };
-        let points = parts.iter().map(points).collect();
+        });
+        let points = points.collect();
         Ok(record::question(&SheetQuestion {
             number: place + 1,
             place,

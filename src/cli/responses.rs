@@ -228,11 +228,11 @@ impl LineLayout {
         if let [Some(a), Some(b), Some(c), Some(d)] = places {
             return Some(Self::Parts([a, b, c, d]));
         }
-        let part = |(at, name): (usize, &String)| {
+        let parts = names.iter().enumerate().filter_map(|(at, name)| {
             let (question, part) = part_column(name)?;
             Some((at, question.to_owned(), part.to_owned()))
-        };
-        let parts: Vec<_> = names.iter().enumerate().filter_map(part).collect();
+        });
+        let parts: Vec<_> = parts.collect();
         (!parts.is_empty()).then_some(Self::Sheets(places[0]?, parts))
     }
 

@@ -305,8 +305,10 @@ fn asked(heading: &str) -> Option<AnswerColumn> {
 /// What was ticked, as it is typed: `AC` and `A|C` are `a, c`. What are no letters stays as it is.
 fn boxes(cell: &str) -> String {
     let cell = cell.trim();
-    let is_box = |letter: char| letter.is_ascii_alphabetic() || "|,; ".contains(letter);
-    if !cell.chars().all(is_box) {
+    if !cell
+        .chars()
+        .all(|letter| letter.is_ascii_alphabetic() || "|,; ".contains(letter))
+    {
         return cell.to_owned();
     }
     let letters = cell.chars().filter(char::is_ascii_alphabetic);

@@ -85,14 +85,14 @@ fn percent(share: Option<f64>) -> String {
 
 /// Prints a table with columns of even width.
 fn table(head: &[&str], rows: Vec<Vec<String>>) {
-    let width = |column: usize| {
+    let widths = (0..head.len()).map(|column| {
         let cells = rows.iter().map(|row| row[column].chars().count());
         cells
             .chain([head[column].chars().count()])
             .max()
             .unwrap_or(0)
-    };
-    let widths: Vec<usize> = (0..head.len()).map(width).collect();
+    });
+    let widths: Vec<usize> = widths.collect();
     let line = |cells: &[String]| {
         let cells = cells.iter().zip(&widths);
         let padded = cells.map(|(cell, width)| format!(" {cell:<width$} |"));
@@ -119,15 +119,15 @@ pub(crate) fn print_examined(examined: &[Examination]) {
             "named mistakes",
             "draws of honest work",
         ];
-        let row = |part: &vibank::examine::PartExamined| {
+        let rows = item.parts.iter().map(|part| {
             vec![
                 part.part.clone(),
                 part.methods.to_string(),
                 part.mistakes.to_string(),
                 part.honest.to_string(),
             ]
-        };
-        table(&head, item.parts.iter().map(row).collect());
+        });
+        table(&head, rows.collect());
         for own in &item.allowed {
             let part = own.part.as_ref().map(|part| format!(" of part `{part}`"));
             println!(

@@ -70,14 +70,14 @@ impl Watch {
     }
 
     fn again(&self) -> Self {
-        let look = |(path, seen): (&PathBuf, &Seen)| {
+        let looked = self.0.iter().map(|(path, seen)| {
             let now = match seen.digest {
                 Some(_) => Seen::into(path),
                 None => Seen::of(path),
             };
             (path.clone(), now)
-        };
-        Self(self.0.iter().map(look).collect())
+        });
+        Self(looked.collect())
     }
 }
 

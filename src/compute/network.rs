@@ -27,7 +27,7 @@ fn links(parameters: &Parameters, name: &'static str) -> Result<Vec<Link>, Reque
     let entries = parameters.lists(name, EXPECTED)?;
     let link = |entry: Option<Cow<[f64]>>| entry.and_then(|entry| link(&entry));
     let links = entries.into_iter().map(|entry| {
-        link(entry).ok_or_else(|| RequestError::NotANumber {
+        link(entry).ok_or(RequestError::NotANumber {
             name,
             expected: EXPECTED,
         })

@@ -121,16 +121,6 @@ impl Anchor {
 
     /// The anchor of a label that stands in this direction from its point.
     pub(crate) fn facing(direction: Point) -> Self {
-        let side = |part: f64| {
-            // sin 22.5°: each of the eight sides has an eighth of the directions.
-            if part > 0.38 {
-                -1.0
-            } else if part < -0.38 {
-                1.0
-            } else {
-                0.0
-            }
-        };
         let unit = direction.unit();
         Self {
             x: side(unit.x),
@@ -143,6 +133,18 @@ impl Anchor {
         let (width, height) = (label.width(), label.ascent() + label.depth());
         let centre = at - Point::new(self.x * width / 2.0, self.y * height / 2.0);
         Bounds::around(centre, width, height)
+    }
+}
+
+/// To which side a part of a direction leads.
+fn side(part: f64) -> f64 {
+    // sin 22.5°: each of the eight sides has an eighth of the directions.
+    if part > 0.38 {
+        -1.0
+    } else if part < -0.38 {
+        1.0
+    } else {
+        0.0
     }
 }
 

@@ -357,11 +357,11 @@ fn spread(items: &[&Item], parts: &mut [Part<'_>]) {
             continue;
         }
         let (a, b) = ends(&parts[*first]);
-        let shares = |place: &&usize| {
+        let alike = links.iter().filter(|place| {
             let (c, d) = ends(&parts[**place]);
             a.distance(c).max(b.distance(d)) < 1e-6 || a.distance(d).max(b.distance(c)) < 1e-6
-        };
-        let group: Vec<usize> = links.iter().filter(shares).copied().collect();
+        });
+        let group: Vec<usize> = alike.copied().collect();
         done.extend(&group);
         if group.len() < 2 {
             continue;

@@ -254,8 +254,10 @@ pub(crate) fn sketch(items: &[Item], parts: &[Part<'_>]) -> Sketch {
             }
             Role::Body(noun) | Role::Thing(noun) => sketch.bodies.push(Thing::of(noun, part)),
             Role::Measure => {
-                let is_new = |symbol: &&Math| !sketch.marked.contains(symbol);
-                let symbol = part.symbol.filter(is_new).cloned();
+                let symbol = part
+                    .symbol
+                    .filter(|symbol| !sketch.marked.contains(symbol))
+                    .cloned();
                 sketch.marked.extend(symbol);
             }
             Role::Ground | Role::Link(_) | Role::Mark => {}

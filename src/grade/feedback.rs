@@ -101,12 +101,12 @@ impl Comment {
         let [Block::Paragraph(content)] = self.document.blocks() else {
             return self.document.plain(&self.fillings);
         };
-        let piece = |inline: &Inline| match inline {
+        let pieces = content.iter().map(|inline| match inline {
             Inline::Text(words) => Some(words.clone()),
             Inline::Code(code) => Some(format!("`{code}`")),
             _ => None,
-        };
-        match content.iter().map(piece).collect::<Option<String>>() {
+        });
+        match pieces.collect::<Option<String>>() {
             Some(words) => words.replace(char::is_control, " "),
             None => self.document.plain(&self.fillings),
         }

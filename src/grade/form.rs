@@ -7,7 +7,7 @@ use crate::answer::{
     AnswerKind, Answered, Close, Credit, Marker, Marking, Naming, Note, Reason, Remark, Slip,
     Verdict, Why, are_one_value,
 };
-use crate::expr::{Expr, Kind, Precise, Program, Slots, Variable, Workspace};
+use crate::expr::{Expr, Kind, Precise, Program, Slots, Workspace};
 use crate::numerics::Rational;
 use crate::response::Passage;
 use crate::solution::Solution;
@@ -161,9 +161,11 @@ impl Forms<'_> {
     /// with it.
     fn formula(&self, sides: Vec<Passage<'_>>) -> Option<Marking> {
         let (marked, _) = self.unnamed(sides);
-        let is_unread =
-            |side: &FormedSide<'_>| side.own.reading.is_none() && side.other.reading.is_none();
-        if !(2..=MAX_SIDES).contains(&marked.len()) || marked.iter().any(is_unread) {
+        if !(2..=MAX_SIDES).contains(&marked.len())
+            || marked
+                .iter()
+                .any(|side| side.own.reading.is_none() && side.other.reading.is_none())
+        {
             return None;
         }
         let is_in_form = |side: &&FormedSide<'_>| side.own.reading.is_some();
@@ -256,11 +258,11 @@ fn comes_to(solution: &Solution<'_>, formula: &Expr, typed: &Marking) -> bool {
     let free = formula.names().free;
     let names: Vec<&str> = free.iter().map(|own| own.name.as_str()).collect();
     let graph = &solution.template().graph;
-    let value = |own: &Variable| {
+    let values = free.iter().map(|own| {
         let node = graph.find(&own.name).filter(|_| own.order == 0)?;
         solution.evaluation().real(node).ok().map(Precise::exact)
-    };
-    let Some(values) = free.iter().map(value).collect::<Option<Vec<Precise>>>() else {
+    });
+    let Some(values) = values.collect::<Option<Vec<Precise>>>() else {
         return false;
     };
     let program = Program::compile(formula, &Slots(&names));
@@ -326,13 +328,15 @@ fn share(solution: &Solution<'_>, place: usize, sheet: &Sheet<'_>) -> Option<Cre
         Some((solution.evaluation().real(key).ok()?, dimension))
     };
     let own = key(place)?;
-    let is_alike = |(value, dimension): (f64, _)| {
-        // Both values are computed from the same data, and neither was rounded by a person.
-        const SAME: f64 = 1e-12;
-        dimension == own.1 && (value - own.0).abs() <= SAME * own.0.abs()
-    };
-    let is_asked_again = |at: &usize| *at != place && key(*at).is_some_and(is_alike);
-    if sheet.asked.iter().any(is_asked_again) {
+    let is_asked_again = sheet.asked.iter().any(|at| {
+        *at != place
+            && key(*at).is_some_and(|(value, dimension)| {
+                // Both values are computed from the same data, and neither was rounded by a person.
+                const SAME: f64 = 1e-12;
+                dimension == own.1 && (value - own.0).abs() <= SAME * own.0.abs()
+            })
+    });
+    if is_asked_again {
         return None;
     }
     sheet

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use crate::expr::{Expr, Name};
+use crate::expr::{Expr, Function, Name};
 use crate::source::Span;
 use crate::unit::Dimension;
 
@@ -60,6 +60,15 @@ pub struct Coordinate {
     pub is_angle: bool,
     /// Where it is declared.
     pub span: Span,
+}
+
+impl Definition {
+    /// The dry friction along a coordinate, with the sign of its velocity.
+    pub(crate) fn friction_along(&self, name: &Name) -> Option<(&Friction, Expr)> {
+        let (_, friction) = self.friction.iter().find(|(own, _)| own == name)?;
+        let velocity = Expr::name(name.clone()).prime(1);
+        Some((friction, Expr::call(Function::Sign, [velocity])))
+    }
 }
 
 /// The size of the dry-friction force along a coordinate.

@@ -141,12 +141,12 @@ impl Tangent {
 fn compiled_squares(energies: &Energies) -> Option<Compiled> {
     if !energies.forces.iter().all(|force| force.is_zero()) {
         let names = &energies.coordinates;
-        let depends = |force: &Expr| {
+        let depends = energies.forces.iter().any(|force| {
             names
                 .iter()
                 .any(|name| Normal::of(force).map_or(true, |own| own.mentions(name)))
-        };
-        if energies.forces.iter().any(depends) {
+        });
+        if depends {
             return None;
         }
     }
@@ -228,9 +228,11 @@ fn slots(given: &ModelGiven<'_>) -> Slots {
     .chain(equilibrium.formula().into_iter().flatten())
     .for_each(&mut collect);
     let time = Name::new("t");
-    let is_constant = |name: &Name| *name != time && !energies.coordinates.contains(name);
     Slots {
-        constants: names.into_iter().filter(is_constant).collect(),
+        constants: names
+            .into_iter()
+            .filter(|name| *name != time && !energies.coordinates.contains(name))
+            .collect(),
         coordinates: energies.coordinates.clone(),
     }
 }

@@ -3,7 +3,7 @@
 use super::numbers::Sdof;
 use super::quantity::Quantity;
 use super::{Model, Unavailable, characteristic};
-use crate::expr::{Equation, Expr, Function, Kind, Normal, Operator, Substitution};
+use crate::expr::{Equation, Expr, Kind, Normal, Operator, Substitution};
 
 pub(crate) fn formula(model: &Model, quantity: Quantity) -> Result<Expr, Unavailable> {
     let formula = match quantity {
@@ -42,16 +42,9 @@ pub(crate) fn equations(model: &Model, quantity: Quantity) -> Result<Vec<Equatio
 /// An equation along a coordinate with the force of dry friction against the velocity, −F sign(q').
 fn with_friction(model: &Model, coordinate: usize, equation: Equation) -> Equation {
     let name = &model.coordinates()[coordinate];
-    let own = model
-        .definition
-        .friction
-        .iter()
-        .find(|(own, _)| own == name);
-    let Some((_, friction)) = own else {
+    let Some((friction, direction)) = model.definition.friction_along(name) else {
         return equation;
     };
-    let velocity = Expr::name(name.clone()).prime(1);
-    let direction = Expr::call(Function::Sign, [velocity]);
     Equation {
         left: equation.left,
         right: equation.right - product(friction.kinetic.clone(), direction),

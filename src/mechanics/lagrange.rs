@@ -104,11 +104,13 @@ impl Energies {
             .degree_in(&velocities)
             .is_none_or(|degree| degree > 2)
         {
-            let is_culprit = |own: &&Variable| {
-                let degree = kinetic.degree_in(std::slice::from_ref(*own));
-                degree.is_none_or(|degree| degree > 2)
-            };
-            let culprit = velocities.iter().find(is_culprit).unwrap_or(&velocities[0]);
+            let culprit = velocities
+                .iter()
+                .find(|own| {
+                    let degree = kinetic.degree_in(std::slice::from_ref(*own));
+                    degree.is_none_or(|degree| degree > 2)
+                })
+                .unwrap_or(&velocities[0]);
             return Err(ModelError::NotQuadratic {
                 name: culprit.name.clone(),
                 span,

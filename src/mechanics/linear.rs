@@ -141,21 +141,22 @@ impl RestPoint {
         coordinates: &[Name],
         order: u8,
     ) -> Result<Matrix, SymbolicError> {
-        let slope = |residual: &Normal, name: &Name| {
-            let slope = residual.derivative(&Variable::of(name, order))?;
-            let at_rest = at_rest(&slope, &self.moving)?;
-            // Most slopes are constant; writing them as formulas and reading them again would be most of the
-            // work.
-            if !at_rest.mentions_any(&self.moving) {
-                return Ok(at_rest);
-            }
-            Normal::of(&self.position.apply(&at_rest.to_expr(&Order::new()))?)
-        };
         residuals
             .iter()
             .map(|residual| {
                 let names = coordinates.iter();
-                names.map(|name| slope(residual, name)).collect()
+                names
+                    .map(|name| {
+                        let slope = residual.derivative(&Variable::of(name, order))?;
+                        let at_rest = at_rest(&slope, &self.moving)?;
+                        // Most slopes are constant; writing them as formulas and reading them again would be most of the
+                        // work.
+                        if !at_rest.mentions_any(&self.moving) {
+                            return Ok(at_rest);
+                        }
+                        Normal::of(&self.position.apply(&at_rest.to_expr(&Order::new()))?)
+                    })
+                    .collect()
             })
             .collect()
     }

@@ -202,8 +202,10 @@ impl<'a> KeyLine<'a> {
     /// The answers of variants to a part; with `heading` the one that all have.
     fn of(variants: &'a [KeyColumn], part: usize, heading: Option<&'a str>) -> Self {
         let first = &variants[0].keys;
-        let is_equal = |own: &KeyColumn| own.keys.cells[part] == first.cells[part];
-        let is_same = variants.len() > 1 && variants.iter().all(is_equal);
+        let is_same = variants.len() > 1
+            && variants
+                .iter()
+                .all(|own| own.keys.cells[part] == first.cells[part]);
         let is_wide = variants
             .iter()
             .any(|own| own.keys.widths[part] > CELL_WIDTH);

@@ -249,15 +249,15 @@ fn rules(marks: &Marks, run: &Run) -> Vec<String> {
     let say = |phrase: &str, name: &str, points: Rational| {
         filled(phrase, &[(name, &run.marked(&rounded(points)))])
     };
-    let best = |Best { section, count }: &Best| {
+    let best = marks.best.iter().map(|Best { section, count }| {
         let phrase = match section.as_str() {
             "" => &words.best,
             _ => &words.best_of_section,
         };
         let values = [("count", &*count.to_string()), ("section", section)];
         filled(phrase, &values)
-    };
-    let mut rules: Vec<String> = marks.best.iter().map(best).collect();
+    });
+    let mut rules: Vec<String> = best.collect();
     if let Some(share) = marks.wrong_choice {
         let phrase = if marks.below_zero {
             &words.wrong_choice

@@ -378,12 +378,12 @@ impl Pages {
 
     /// The families of fonts for names, in quotation marks.
     fn families(&self) -> Vec<String> {
-        let quoted = |family: &String| {
+        let quoted = self.run.names.families.iter().map(|family| {
             let mut out = String::new();
             quote(&mut out, family);
             out
-        };
-        self.run.names.families.iter().map(quoted).collect()
+        });
+        quoted.collect()
     }
 
     /// What stands after the last page of a file.

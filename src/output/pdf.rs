@@ -75,10 +75,6 @@ impl Writer for Pdf {
 
     /// Rows of modules of page 0, and the rows that each bit of the page inverts, for `scan-marks` of the layout.
     fn scan_mark(&self, variant: Variant) -> String {
-        let rows = |modules: &Modules| {
-            let rows: Vec<String> = modules.iter().map(u32::to_string).collect();
-            format!("({})", rows.join(","))
-        };
         let bits: Vec<String> = ScanMark::page_bits().iter().map(rows).collect();
         let mark = ScanMark {
             variant,
@@ -91,4 +87,10 @@ impl Writer for Pdf {
     fn is_bound(&self) -> bool {
         true
     }
+}
+
+/// The rows of modules, as Typst reads them.
+fn rows(modules: &Modules) -> String {
+    let rows: Vec<String> = modules.iter().map(u32::to_string).collect();
+    format!("({})", rows.join(","))
 }

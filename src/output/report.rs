@@ -125,10 +125,6 @@ struct LostView<'a> {
 impl<'a> LostView<'a> {
     fn of(lost: &'a Lost) -> Self {
         // The table of decisions has all words, a page shows where they begin.
-        let who = |sheet: &LostSheet| match sheet.who() {
-            who if who.is_empty() => sheet.code.clone(),
-            who => format!("{who} ({})", sheet.code),
-        };
         Self {
             place: format!("{}{}", lost.question, lost.letter),
             response: lost.response.chars().take(200).collect(),
@@ -136,6 +132,14 @@ impl<'a> LostView<'a> {
             times: lost.sheets.len(),
             who: lost.sheets.iter().map(who).collect(),
         }
+    }
+}
+
+/// Who a sheet belongs to, and its code.
+fn who(sheet: &LostSheet) -> String {
+    match sheet.who() {
+        who if who.is_empty() => sheet.code.clone(),
+        who => format!("{who} ({})", sheet.code),
     }
 }
 
@@ -350,7 +354,6 @@ fn part<'a>(pages: &'a Pages, part: &'a PartSummary) -> ReportPartView<'a> {
                 x += width;
                 piece
             });
-    let none = || "–".to_owned();
     let discrimination = part
         .discrimination
         .map(|own| pages.run.marked(&signed(own)));
@@ -361,8 +364,8 @@ fn part<'a>(pages: &'a Pages, part: &'a PartSummary) -> ReportPartView<'a> {
         title: &part.title,
         asked: part.asked,
         pieces: pieces.collect(),
-        facility: part.facility.map_or_else(none, percent),
-        discrimination: discrimination.unwrap_or_else(none),
+        facility: part.facility.map_or_else(|| "–".to_owned(), percent),
+        discrimination: discrimination.unwrap_or_else(|| "–".to_owned()),
         hint: hint(part, words),
         follow_through: match part.follow_through {
             0 => String::new(),
@@ -424,7 +427,7 @@ impl std::fmt::Display for DecidedMark {
 
 fn bars(shares: &Distribution) -> Vec<Bar> {
     let most = shares.tenths.iter().copied().max().unwrap_or(1).max(1) as f64;
-    let bar = |(tenth, count): (usize, &u64)| {
+    let bars = shares.tenths.iter().enumerate().map(|(tenth, count)| {
         let height = (HEIGHT * *count as f64 / most * 10.0).round() / 10.0;
         Bar {
             x: tenth as u32 * 20,
@@ -433,8 +436,8 @@ fn bars(shares: &Distribution) -> Vec<Bar> {
             count: *count,
             from: tenth as u32 * 10,
         }
-    };
-    shares.tenths.iter().enumerate().map(bar).collect()
+    });
+    bars.collect()
 }
 
 /// What a teacher may want to look at; the bounds are the customary ones of classical test theory.

@@ -38,11 +38,6 @@ fn needs(definition: &Definition) -> BTreeSet<Name> {
     needed_by(definition, formulas(definition))
 }
 
-/// The names that the bodies of a definition take from the item. Its equations do not need them.
-fn needs_of_bodies(definition: &Definition) -> BTreeSet<Name> {
-    needed_by(definition, formulas_of_bodies(definition))
-}
-
 fn needed_by<'d>(
     definition: &'d Definition,
     formulas: impl Iterator<Item = &'d Expr>,
@@ -134,7 +129,8 @@ pub(crate) fn derive(graph: &mut Graph, id: NodeId) -> Vec<GraphError> {
         return Vec::new();
     };
     let needed = system.needs();
-    let for_bodies = needs_of_bodies(&system.definition);
+    // The equations do not need what the bodies take from the item.
+    let for_bodies = needed_by(&system.definition, formulas_of_bodies(&system.definition));
     let unknown: Vec<GraphError> = needed
         .union(&for_bodies)
         .filter_map(|name| unknown(graph, system, name))

@@ -72,11 +72,11 @@ fn offered(scene: &Scene<'_, '_>, path: &Path) -> Math {
     match model.equations(quantity).as_deref() {
         Ok([one]) => Math::row(sides(one)),
         Ok(several) => {
-            let row = |equation: &Equation| {
+            let rows = several.iter().map(|equation| {
                 let [left, sign, right] = sides(equation);
                 vec![left, Math::row([sign, right])]
-            };
-            Math::aligned(several.iter().map(row).collect())
+            });
+            Math::aligned(rows.collect())
         }
         Err(_) => nothing(),
     }

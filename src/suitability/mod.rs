@@ -62,11 +62,11 @@ pub(crate) const CLEARANCE: f64 = 2.0;
 ///
 /// The first reason why they are not fit to hand out.
 pub fn judge(solution: &Solution<'_>, parts: &[usize]) -> Result<(), Unfit> {
-    let has_key = |place: &&usize| {
+    let with_keys = parts.iter().filter(|place| {
         let part = &solution.template().parts[**place];
         solution.asks(**place) && !part.answer.kind().is_by_hand()
-    };
-    for place in parts.iter().filter(has_key) {
+    });
+    for place in with_keys {
         let part = || solution.template().parts[*place].id.clone();
         let clearance = solution.clearance(*place);
         let clearance = clearance.map_err(|absent| Unfit::NoKey {

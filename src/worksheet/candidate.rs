@@ -109,13 +109,12 @@ impl Candidate {
     ///
     /// The same item may be asked by different questions, so each is compared with all.
     pub(crate) fn shared(&self, marks: &[BTreeSet<u64>]) -> Vec<usize> {
-        let is_shared = |asked: &AskedQuestion| {
-            let mut own = asked.marks.iter();
-            own.any(|mark| marks.iter().any(|other| other.contains(mark)))
-        };
         let questions = (1..).zip(&self.questions);
         questions
-            .filter(|(_, asked)| is_shared(asked))
+            .filter(|(_, asked)| {
+                let mut own = asked.marks.iter();
+                own.any(|mark| marks.iter().any(|other| other.contains(mark)))
+            })
             .map(|(number, _)| number)
             .collect()
     }

@@ -213,12 +213,12 @@ impl Decisions {
 
     /// Parts whose points are to be taken over where nothing is left that could.
     fn without_rest(&self, subjects: &[Subject], handed_out: &HandedOut) -> Vec<Finding> {
-        let is_off =
-            |effect: &Effect| matches!(effect, Effect::Void(Void::Rescaled | Void::LeftOut));
         let off: BTreeSet<(&str, &str)> = subjects
             .iter()
             .zip(&self.decisions)
-            .filter(|(_, decision)| is_off(&decision.effect))
+            .filter(|(_, Decision { effect, .. })| {
+                matches!(effect, Effect::Void(Void::Rescaled | Void::LeftOut))
+            })
             .map(|(subject, _)| (subject.item.as_str(), subject.part.as_str()))
             .collect();
         let pairs = subjects.iter().zip(&self.decisions);

@@ -188,7 +188,7 @@ pub(crate) fn points_of(
         .points
         .and_then(|whole| whole.checked_sub(Rational::sum(&given)?));
     let mut shares = rest.map(|rest| share_out(rest, &others).into_iter());
-    let of_unit = |(unit, fixed): (&&[&Part], &Option<Rational>)| {
+    let points = units.iter().zip(&fixed).flat_map(|(unit, fixed)| {
         let whole = fixed.or_else(|| {
             shares
                 .as_mut()
@@ -198,8 +198,8 @@ pub(crate) fn points_of(
             Some(whole) => share_in_group(whole, &weights(unit)),
             None => weights(unit),
         }
-    };
-    units.iter().zip(&fixed).flat_map(of_unit).collect()
+    });
+    points.collect()
 }
 
 /// The parts that a question asks for these data, as places in the item.

@@ -204,7 +204,7 @@ impl Marks {
         let [least, most] = [least, most].map(|points| self.rounded(sum(&points)));
         Total {
             points: least,
-            open: subtract(most, least),
+            open: most.checked_sub(least).unwrap_or(Rational::ZERO),
             max: sum(&max),
         }
     }
@@ -256,18 +256,20 @@ impl Marks {
         let Some(Rounding { step, direction }) = self.rounding else {
             return points;
         };
-        let whole = |steps: Rational| {
-            let (above, below) = (steps.numerator(), steps.denominator());
-            match direction {
-                Direction::Down => above.div_euclid(below),
-                Direction::Up => -(-above).div_euclid(below),
-                Direction::Nearest => (2 * above + below).div_euclid(2 * below),
-            }
-        };
         let rounded = points
             .checked_div(step.0)
-            .and_then(|steps| Rational::new(whole(steps), 1)?.checked_mul(step.0));
+            .and_then(|steps| Rational::new(whole(steps, direction), 1)?.checked_mul(step.0));
         rounded.unwrap_or(points)
+    }
+}
+
+/// How many whole steps so many are, rounded.
+fn whole(steps: Rational, direction: Direction) -> i128 {
+    let (above, below) = (steps.numerator(), steps.denominator());
+    match direction {
+        Direction::Down => above.div_euclid(below),
+        Direction::Up => -(-above).div_euclid(below),
+        Direction::Nearest => (2 * above + below).div_euclid(2 * below),
     }
 }
 
@@ -299,10 +301,6 @@ fn sum(points: &[Rational]) -> Rational {
 
 fn add(a: Rational, b: Rational) -> Rational {
     a.checked_add(b).unwrap_or(a)
-}
-
-fn subtract(a: Rational, b: Rational) -> Rational {
-    a.checked_sub(b).unwrap_or(Rational::ZERO)
 }
 
 #[cfg(feature = "render")]

@@ -351,7 +351,7 @@ impl<'c> Planner<'c> {
                 self.unknown_item(text);
             }
         }
-        let fits = |item: &&'c Template| {
+        let fitting = self.catalogue.items().filter(|item| {
             (filter.items.is_empty() || filter.items.iter().any(|id| id.value == item.id.as_str()))
                 && filter
                     .chapter
@@ -367,8 +367,8 @@ impl<'c> Planner<'c> {
                         .iter()
                         .any(|part| part.answer.kind().name() == kind.value)
                 })
-        };
-        self.catalogue.items().filter(fits).collect()
+        });
+        fitting.collect()
     }
 
     /// Parts and data of a question have to be those of its item.

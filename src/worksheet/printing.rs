@@ -228,9 +228,9 @@ pub fn file_stem(place: usize, count: usize, student: Option<&Student>, code: &s
 
 /// The letters and digits of a text, with hyphens between its words.
 fn plain(text: &str) -> String {
-    let is_mark = |sign: char| ('\u{300}'..='\u{36f}').contains(&sign);
-    let is_inner = |sign: char| sign.is_alphanumeric() || sign == '_' || is_mark(sign);
-    let words = text.split(|sign: char| !is_inner(sign));
+    let words = text.split(|sign: char| {
+        !(sign.is_alphanumeric() || matches!(sign, '_' | '\u{300}'..='\u{36f}'))
+    });
     let words: Vec<&str> = words.filter(|word| !word.is_empty()).collect();
     let plain: String = words.join("-").chars().take(MAX_LENGTH).collect();
     plain.trim_end_matches('-').to_owned()

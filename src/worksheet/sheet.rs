@@ -80,9 +80,12 @@ impl SheetQuestion<'_> {
     /// The expected working time in minutes: that of its item, or its parts' share of it.
     pub fn minutes(&self) -> u32 {
         let item = self.solution.template();
-        let of = |part: &Part| part.answer.minutes();
-        let all: u32 = item.parts.iter().map(of).sum();
-        let asked: u32 = self.parts.iter().map(|place| of(&item.parts[*place])).sum();
+        let all: u32 = item.parts.iter().map(|part| part.answer.minutes()).sum();
+        let asked: u32 = self
+            .parts
+            .iter()
+            .map(|place| item.parts[*place].answer.minutes())
+            .sum();
         if all == 0 || asked == all {
             return item.minutes();
         }

@@ -399,12 +399,12 @@ impl<'p, 'c> Chooser<'p, 'c> {
         [attempt, tries]: [u64; 2],
         sheet: &Sheet<'c>,
     ) -> Result<Candidate, (Objection, Option<String>)> {
-        let of_all = |objection| (objection, None);
         let mut candidate = Candidate {
             tries,
             ..Candidate::of(index, attempt, sheet)
         };
-        self.accepts(&candidate).map_err(of_all)?;
+        self.accepts(&candidate)
+            .map_err(|objection| (objection, None))?;
         for question in &sheet.questions {
             let data = candidate.questions[question.place].data;
             let asked = self.judge_question(tries, question, data);
@@ -413,7 +413,8 @@ impl<'p, 'c> Chooser<'p, 'c> {
                 (objection, Some(item))
             })?;
         }
-        self.accepts(&candidate).map_err(of_all)?;
+        self.accepts(&candidate)
+            .map_err(|objection| (objection, None))?;
         Ok(candidate)
     }
 

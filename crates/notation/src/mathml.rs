@@ -257,7 +257,8 @@ impl<'a> MathmlWriter<'a> {
         let mut chars = text.chars();
         let single = chars.next().filter(|_| chars.next().is_none());
         match (style, single) {
-            (Style::Default, Some(letter)) if !is_upright_by_default(letter) => {
+            // Capital Greek is upright in LaTeX, and so is what has no italic form.
+            (Style::Default, Some(letter)) if !('Α'..='Ω').contains(&letter) => {
                 self.element("mi", "", text);
             }
             (Style::Default | Style::Upright, Some(_)) => {
@@ -512,11 +513,6 @@ const ACCENT: &str = " class=\"acc\" stretchy=\"false\"";
 /// Whether an accent over this is as wide as the accent's own sign.
 fn is_letter(base: &Math) -> bool {
     matches!(base, Math::Identifier { text, .. } if text.chars().nth(1).is_none())
-}
-
-/// Capital Greek is upright in LaTeX, and so is what has no italic form.
-fn is_upright_by_default(letter: char) -> bool {
-    ('Α'..='Ω').contains(&letter)
 }
 
 /// Marks that are spaced and slanted like letters.

@@ -464,7 +464,7 @@ impl Lexer<'_> {
             return;
         }
         if self.peek() != Some('{') {
-            // Without braces the letter or the digits that follow; a longer word is told by its names.
+            // Without braces the letter or the digits that follow; a longer word is recognized by its names.
             if let Some(char) = self.peek() {
                 let at = self.at;
                 self.at += char.len_utf8();

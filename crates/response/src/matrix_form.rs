@@ -231,7 +231,7 @@ fn row(text: &str) -> Vec<String> {
     pieces
 }
 
-/// The pieces of a text between signs outside of brackets; a sign is told by what stands before it, too.
+/// The pieces of a text between signs outside of brackets; a sign is also recognized by what stands before it.
 fn cut(text: &str, is_end: impl Fn(&str, char) -> bool) -> Vec<&str> {
     let (mut pieces, mut start, mut depth) = (Vec::new(), 0, 0_i32);
     for (at, char) in text.char_indices() {

@@ -1,4 +1,4 @@
-//! What is read in place of what was typed, where a spelling is told by more than its signs.
+//! What is read in place of what was typed, where a spelling is recognized by more than its signs.
 
 use super::Passage;
 

@@ -36,10 +36,10 @@ impl<'a> ItemNames<'a> {
             .graph
             .find(name)
             .and_then(|node| self.quantities.get(&node));
-        let free = || self.free.iter().find(|known| known.name == *name);
+        let mut free = self.free.iter();
         quantity
             .map(|info| &info.symbol)
-            .or_else(|| free().map(|known| &known.symbol))
+            .or_else(|| Some(&free.find(|known| known.name == *name)?.symbol))
             .map_or_else(|| symbol(name.as_str()), |own| own.as_ref().clone())
     }
 }
@@ -64,11 +64,7 @@ impl Subject for ItemNames<'_> {
             .graph
             .derived("model")
             .map_or(&[][..], |model| model.bodies());
-        let is_turn = |inertia: &Expr| {
-            let kind = inertia.check(self.graph).ok();
-            kind.and_then(|kind| kind.dimension())
-                == Some(Dimension::MASS * Dimension::LENGTH * Dimension::LENGTH)
-        };
+        let of_turn = Dimension::MASS * Dimension::LENGTH * Dimension::LENGTH;
         bodies
             .iter()
             .map(|body| Acting {
@@ -76,9 +72,12 @@ impl Subject for ItemNames<'_> {
                 moves: body
                     .moves
                     .iter()
-                    .map(|(name, inertia)| Move {
-                        name: name.clone(),
-                        is_turn: is_turn(inertia),
+                    .map(|(name, inertia)| {
+                        let kind = inertia.check(self.graph).ok();
+                        Move {
+                            name: name.clone(),
+                            is_turn: kind.and_then(|kind| kind.dimension()) == Some(of_turn),
+                        }
                     })
                     .collect(),
                 forces: body.forces.clone(),

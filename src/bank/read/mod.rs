@@ -270,15 +270,15 @@ impl<'s> ItemReader<'s> {
         let Some(constraints) = table.table("constraints") else {
             return Vec::new();
         };
-        let read = |entry: &'s crate::source::Entry| {
+        let found = constraints.entries().iter().filter_map(|entry| {
             let text = constraints.as_formula(&entry.key, &entry.value)?;
             let node = self.condition(&format!("constraint {}", entry.key), &text)?;
             Some(Constraint {
                 name: entry.key.clone(),
                 node,
             })
-        };
-        constraints.entries().iter().filter_map(read).collect()
+        });
+        found.collect()
     }
 
     /// Reads a formula whose names are known.

@@ -508,14 +508,14 @@ fn mode_shapes<'s>(reader: &mut ItemReader<'s>, table: &Table<'s>) -> Option<Mod
     let shapes = shapes?;
     let kind = reader.graph.kind(shapes)?.clone();
     let first = kind.entry(0);
-    let unit = |column: usize| {
+    let units = (0..names.len()).map(|column| {
         let ratio = kind
             .entry(column)
             .zip(first)
             .map(|(own, first)| own / first);
         coherent(ratio)
-    };
-    let units: Vec<Unit> = (0..names.len()).map(unit).collect();
+    });
+    let units: Vec<Unit> = units.collect();
     let is_uniform = units.iter().all(|unit| unit.dimension().is_pure());
     Some(ModeShapes {
         shapes,

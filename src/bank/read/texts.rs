@@ -75,9 +75,11 @@ impl Parsers {
 
     /// Whether a label is words and no formula: letters and blanks, at least two letters in a row.
     fn is_words(label: &str) -> bool {
-        let is_plain = |letter: char| letter.is_alphabetic() || " ,-'".contains(letter);
         let mut pieces = label.split(|letter: char| !letter.is_alphabetic());
-        label.chars().all(is_plain) && pieces.any(|piece| piece.chars().count() > 1)
+        label
+            .chars()
+            .all(|letter| letter.is_alphabetic() || " ,-'".contains(letter))
+            && pieces.any(|piece| piece.chars().count() > 1)
     }
 }
 

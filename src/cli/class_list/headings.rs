@@ -310,9 +310,6 @@ impl Places {
                 (found, None) => Ok(found),
             }
         };
-        let stated = |heading: &str| {
-            place(heading)?.ok_or_else(|| HeadingError::Missing(heading.to_owned()))
-        };
         let known = |role: ColumnRole| -> Result<Option<usize>, HeadingError> {
             let words = WORDS.iter().find(|(own, _)| *own == role);
             for word in words.map_or(&[] as &[&str], |(_, words)| words) {
@@ -336,7 +333,10 @@ impl Places {
             let own = columns.headings.iter().find(|(own, _)| *own == what);
             let places = match (own, role) {
                 (Some((_, headings)), _) => {
-                    let places = headings.iter().map(|heading| stated(&heading.value));
+                    let places = headings.iter().map(|heading| {
+                        place(&heading.value)?
+                            .ok_or_else(|| HeadingError::Missing(heading.value.clone()))
+                    });
                     places.collect::<Result<Vec<_>, _>>()?
                 }
                 (None, ColumnRole::Name) => {

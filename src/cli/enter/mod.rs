@@ -220,9 +220,11 @@ fn who(sheet: &VariantEntry) -> String {
     let Some(student) = &sheet.student else {
         return String::new();
     };
-    let column = |name: &str| student.get(name).map_or("", String::as_str);
-    let words: Vec<&str> = [column("name"), column("id")]
+    let words = ["name", "id"]
         .into_iter()
+        .filter_map(|name| student.get(name));
+    let words: Vec<&str> = words
+        .map(String::as_str)
         .filter(|word| !word.is_empty())
         .collect();
     format!("{}: ", words.join(", "))

@@ -187,8 +187,8 @@ fn row(part: &PartSummary, dialect: Dialect) -> [String; 16] {
         part.unreadable.to_string(),
         part.missing.to_string(),
         part.follow_through.to_string(),
-        dialect.share(part.facility),
-        dialect.share(part.discrimination),
+        dialect.thousandths(part.facility),
+        dialect.thousandths(part.discrimination),
         mistake.map_or_else(String::new, |mistake| mistake.what.clone()),
         mistake.map_or_else(String::new, |mistake| mistake.count.to_string()),
         part.others.first().map_or_else(String::new, |other| {

@@ -68,17 +68,13 @@ pub(crate) fn parts<'q>(
     question: &'q QuestionEntry,
     template: &Template,
 ) -> Result<Vec<Answered<'q>>, Failure> {
-    let place = |entry: &PartEntry| {
+    let places = question.parts.iter().map(|entry| {
         template.place(&entry.id).ok_or_else(|| {
             let id = &entry.id;
             Failure::new(format!("`{}` has no part `{id}` any more", template.id))
         })
-    };
-    let places = question
-        .parts
-        .iter()
-        .map(place)
-        .collect::<Result<Vec<_>, _>>()?;
+    });
+    let places = places.collect::<Result<Vec<_>, _>>()?;
     let answered = question.parts.iter().zip(places).map(|(entry, place)| {
         let at = Place {
             code: code.to_owned(),

@@ -108,7 +108,7 @@ impl Changes {
             table.extend(dialect.line(&row.each_ref().map(String::as_str))?);
         }
         out.write("changes.csv", &table)?;
-        let line = |row: &[String; 8]| {
+        let lines = self.changed.iter().map(|row| {
             let [code, student, question, part, before, points, verdict, now] = row;
             let student = if student.is_empty() {
                 ""
@@ -122,8 +122,8 @@ impl Changes {
                 before.trim_end(),
                 now.trim_end()
             )
-        };
-        Ok(self.changed.iter().map(line).collect())
+        });
+        Ok(lines.collect())
     }
 }
 

@@ -64,11 +64,10 @@ impl<'c> Items<'c> {
     /// An item of this name, as it was handed out if that is known: for its title and the texts of its mistakes.
     pub(crate) fn named(&self, id: &str) -> Option<&Template> {
         let mut kept = self.kept.iter().filter_map(|items| items.find(id));
-        let bank = || self.bank.find(id);
         if self.prefers_bank {
-            return bank().or_else(|| kept.next());
+            return self.bank.find(id).or_else(|| kept.next());
         }
-        kept.next().or_else(bank)
+        kept.next().or_else(|| self.bank.find(id))
     }
 
     /// Whether the bank has another text of an item; questions of a blueprint's own it never had.

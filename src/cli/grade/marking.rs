@@ -211,9 +211,10 @@ impl Marker<'_> {
 
 /// Takes away the points of parts that do not count, and gives those that are to be shared to the other parts.
 fn rescale(marked: &mut [MarkedPart], answered: &[Answered<'_>]) {
-    let void = |part: &Answered<'_>| part.ruling.void.map(|(_, void)| void);
     let of = |wanted: Void| {
-        let parts = answered.iter().filter(|part| void(part) == Some(wanted));
+        let parts = answered
+            .iter()
+            .filter(|part| part.ruling.void.map(|(_, void)| void) == Some(wanted));
         sum(parts.map(|part| part.max))
     };
     let shared = of(Void::Rescaled);
@@ -223,7 +224,7 @@ fn rescale(marked: &mut [MarkedPart], answered: &[Answered<'_>]) {
     let factor = kept.and_then(|(kept, rest)| kept.checked_div(rest));
     let factor = factor.unwrap_or(Rational::ONE);
     for (part, answered) in marked.iter_mut().zip(answered) {
-        match void(answered) {
+        match answered.ruling.void.map(|(_, void)| void) {
             Some(Void::Rescaled | Void::LeftOut) => part.scale(Rational::ZERO),
             _ if !shared.is_zero() => part.scale(factor),
             _ => {}

@@ -156,9 +156,8 @@ pub(crate) fn run(arguments: &Arguments) -> Result<super::Outcome, Failure> {
         .gradebook
         .map(|own| Gradebook::new(own, &arguments.gradebook_id, &census.known_by))
         .transpose()?;
-    faults.extend(Saved::foreign(&names, |code| {
-        census.handed_out.codes.contains(code)
-    }));
+    let codes = &census.handed_out.codes;
+    faults.extend(Saved::foreign(&names, |code| codes.contains(code)));
     decisions.check(&census.handed_out.questions)?;
     if let Some(stated) = &stated {
         let repeated = decisions::file::add(&mut decisions, stated, &census.handed_out)?;
@@ -179,25 +178,23 @@ pub(crate) fn run(arguments: &Arguments) -> Result<super::Outcome, Failure> {
     let journal = Journal::open(&out, shard, &input)?;
     let parts = shard.is_whole().then(|| Parts::in_folder(&out, &input));
     let share = handed.share(shard, &census.sheets);
+    let tables = || {
+        Tables::begin(
+            &out,
+            census.columns,
+            census.has_hand,
+            marks.clone(),
+            dialect,
+            has_book,
+        )
+    };
     let mut job = GradeJob {
         journal,
         parts: parts.transpose()?.flatten(),
         share,
         pages: Layout::of(&sheets, "html", &[])?,
         feedback: Layout::of(&sheets, &arguments.feedback, &census.students)?,
-        tables: shard
-            .is_whole()
-            .then(|| {
-                Tables::begin(
-                    &out,
-                    census.columns,
-                    census.has_hand,
-                    marks.clone(),
-                    dialect,
-                    has_book,
-                )
-            })
-            .transpose()?,
+        tables: shard.is_whole().then(tables).transpose()?,
         class: Class::new(marks.clone()),
         log: Log::default(),
         dialect,
@@ -264,19 +261,22 @@ fn input(
     sheets: &Sheets,
     bank: &str,
 ) -> Result<String, Failure> {
-    let digest = |path: &Path| files::digest_of(path);
-    let overrides = arguments.overrides.as_deref().map(digest).transpose()?;
-    let decisions = decisions.map(digest).transpose()?;
+    let overrides = arguments
+        .overrides
+        .as_deref()
+        .map(files::digest_of)
+        .transpose()?;
+    let decisions = decisions.map(files::digest_of).transpose()?;
     let earlier: Vec<String> = sheets
         .earlier()
         .iter()
-        .map(|path| digest(path))
+        .map(|path| files::digest_of(path))
         .collect::<Result<_, _>>()?;
     let earlier = earlier.concat();
     Ok(format!(
         "vibank {} {}{earlier} {} {} {} {bank} {} {} {} {} {}",
         env!("CARGO_PKG_VERSION"),
-        digest(&arguments.manifest)?,
+        files::digest_of(&arguments.manifest)?,
         saved::digest(&arguments.responses)?,
         overrides.as_deref().unwrap_or("-"),
         decisions.as_deref().unwrap_or("-"),

@@ -97,14 +97,14 @@ impl Class {
                 group.group.clone(),
                 group.sheets.to_string(),
                 group.undecided.to_string(),
-                dialect.share(group.mean),
-                dialect.share(group.median),
-                dialect.share(group.deviation),
-                dialect.share(group.lowest),
-                dialect.share(group.highest),
+                dialect.thousandths(group.mean),
+                dialect.thousandths(group.median),
+                dialect.thousandths(group.deviation),
+                dialect.thousandths(group.lowest),
+                dialect.thousandths(group.highest),
                 group.passed.to_string(),
                 group.failed.to_string(),
-                dialect.share(group.pass_rate),
+                dialect.thousandths(group.pass_rate),
             ];
             table.extend(dialect.line(&row.each_ref().map(String::as_str))?);
         }

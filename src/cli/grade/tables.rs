@@ -193,13 +193,6 @@ impl Tables {
     fn mark(&mut self, sheet: &SheetOutcome, is_absent: bool) -> Result<(), Failure> {
         if self.book.is_some() {
             let row = self.row(sheet, is_absent, Dialect::new(Csv::Plain, '.'));
-            let cell = |(at, text): (usize, String)| {
-                if at < 4 {
-                    Cell::Text(text)
-                } else {
-                    Cell::of(&text)
-                }
-            };
             let row = row.into_iter().enumerate().map(cell).collect();
             self.book
                 .iter_mut()
@@ -283,6 +276,15 @@ impl Tables {
             table.finish()?;
         }
         Ok(files)
+    }
+}
+
+/// A cell of a workbook: the first four columns are texts.
+fn cell((at, text): (usize, String)) -> Cell {
+    if at < 4 {
+        Cell::Text(text)
+    } else {
+        Cell::of(&text)
     }
 }
 

@@ -251,7 +251,7 @@ fn groups(headings: &[String]) -> Option<Vec<Range<usize>>> {
 }
 
 /// The number of a question at the end of a heading.
-fn number_of(heading: &String) -> Option<String> {
+fn number_of(heading: &str) -> Option<String> {
     let name = heading.trim_end_matches(|char: char| char.is_ascii_digit());
     let is_numbered = name.len() < heading.len() && name.chars().any(char::is_alphabetic);
     // `Grade/10` is not a question.

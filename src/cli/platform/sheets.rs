@@ -253,10 +253,10 @@ impl AttemptSheet<'_> {
                 },
                 // Each try is reported.
                 AnswerTarget::Interaction(own) => {
-                    let is_same = |(known, _): &(&Interaction, &ColumnAnswer)| {
+                    let same = tries.iter().position(|(known, _)| {
                         (&known.item, &known.part, known.code) == (&own.item, &own.part, own.code)
-                    };
-                    match tries.iter().position(is_same) {
+                    });
+                    match same {
                         Some(at) if !self.which.replaces(own, answer, tries[at]) => {}
                         Some(at) => tries[at] = (own, answer),
                         None => tries.push((own, answer)),
@@ -316,12 +316,12 @@ impl AttemptSheet<'_> {
 
     /// The question under its number, or under a free one if another question of the sheet has a part of that name.
     fn numbered(&mut self, mut question: QuestionEntry) -> QuestionEntry {
-        let letters = |other: &QuestionEntry| {
+        let is_taken = self.questions.iter().any(|other| {
             let mut own = question.parts.iter();
-            own.any(|part| other.parts.iter().any(|known| known.letter == part.letter))
-        };
-        let is_taken = |other: &QuestionEntry| other.number == question.number && letters(other);
-        if self.questions.iter().any(is_taken) {
+            other.number == question.number
+                && own.any(|part| other.parts.iter().any(|known| known.letter == part.letter))
+        });
+        if is_taken {
             question.number = self.next;
             self.next += 1;
         }

@@ -53,7 +53,9 @@ pub(crate) struct Arguments {
 pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     let (catalogue, findings) = arguments.bank.unread()?;
     let items = chosen(arguments, &catalogue, bank::errors(&findings))?;
-    let seed = arguments.seed.unwrap_or_else(any_seed);
+    let seed = arguments
+        .seed
+        .unwrap_or_else(|| RandomState::new().hash_one("vibank practice") % 1_000_000);
     let mut session = Session::begin(Screen::of_stdout(), Log::open(arguments.log.as_deref())?);
     session.welcome(items.len(), seed);
     let is_typed = std::io::stdin().is_terminal();
@@ -120,9 +122,4 @@ fn instance(template: &Template, seed: u64, number: u64) -> Result<Solution<'_>,
         }
     }
     next_best.ok_or_else(|| Failure::new(format!("`{}` has no suitable data", template.id)))
-}
-
-/// A seed that is another one each time.
-fn any_seed() -> u64 {
-    RandomState::new().hash_one("vibank practice") % 1_000_000
 }

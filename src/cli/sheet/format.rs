@@ -86,7 +86,7 @@ pub(crate) fn formats(
         );
     }
     let language = Language::of(&plan.blueprint.language.value).unwrap_or_default();
-    let format = |name: &String| {
+    let formats = choice.made.iter().map(|name| {
         if name == "json" {
             return Ok(Format::Json(language));
         }
@@ -101,8 +101,8 @@ pub(crate) fn formats(
         }
         let laid = Laid::of(name, plan, Some(choice), students, layouts, is_split)?;
         Ok(Format::Pages(Box::new(laid)))
-    };
-    choice.made.iter().map(format).collect()
+    });
+    formats.collect()
 }
 
 impl Format {

@@ -30,13 +30,13 @@ pub(crate) fn line(sheet: &Sheet<'_>, language: Language) -> String {
     let mut keys = Vec::new();
     for question in &sheet.questions {
         let scene = Scene::of(&question.solution, Data::Both).spoken(language);
-        let part = |place: &usize| &question.solution.template().parts[*place];
-        let headings = headings(question.solution.template(), &question.parts);
+        let template = question.solution.template();
+        let headings = headings(template, &question.parts);
         for (heading, place) in headings.iter().zip(&question.parts) {
             let key = match scene.key(*place) {
                 Ok(Some(key)) => key.plain(),
                 Ok(None) => "see the solution".to_owned(),
-                Err(_) if part(place).answer.kind().is_by_hand() => "by hand".to_owned(),
+                Err(_) if template.parts[*place].answer.kind().is_by_hand() => "by hand".to_owned(),
                 Err(_) => "–".to_owned(),
             };
             keys.push((format!("{}{}", question.number, heading.letter), key));

@@ -224,8 +224,9 @@ impl Held {
             let digest = digest(&entry);
             let files = entry.files.into_iter().filter(|(path, _)| is_plain(path));
             let student = entry.student.as_ref().and_then(|student| {
-                let column = |name: &str| student.get(name).map_or("", String::as_str);
-                let seat = seat_in(column("room"), column("seat"));
+                let [room, seat] =
+                    ["room", "seat"].map(|name| student.get(name).map_or("", String::as_str));
+                let seat = seat_in(room, seat);
                 // Lists that were read by an early version may have accents of their own.
                 Some((composed(student.get("id")?.clone()), seat))
             });

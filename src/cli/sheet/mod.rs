@@ -268,15 +268,15 @@ impl SheetRun<'_, '_> {
         &self,
         catalogue: &vibank::bank::Catalogue,
     ) -> Result<Option<(String, &'static str)>, Failure> {
-        let wants = |student: &Student| {
-            student.columns.iter().any(|(name, value)| {
-                name.eq_ignore_ascii_case("format") && value.trim().eq_ignore_ascii_case("screen")
-            })
-        };
         let wanted: BTreeSet<&str> = self
             .students
             .iter()
-            .filter(|student| wants(student))
+            .filter(|student| {
+                student.columns.iter().any(|(name, value)| {
+                    name.eq_ignore_ascii_case("format")
+                        && value.trim().eq_ignore_ascii_case("screen")
+                })
+            })
             .map(|student| student.id.as_str())
             .collect();
         if wanted.is_empty() || !self.arguments.shard.is_whole() {
@@ -520,13 +520,13 @@ impl RunSummary {
 
 /// The folder to write to.
 fn out(arguments: &Arguments) -> PathBuf {
-    let name = || arguments.blueprint.file_stem().unwrap_or("sheet".as_ref());
+    let blueprint = &arguments.blueprint;
     arguments
         .out
         .clone()
         .unwrap_or_else(|| match arguments.make_up[..] {
-            [] => name().into(),
-            _ => make_up::folder(&arguments.blueprint),
+            [] => blueprint.file_stem().unwrap_or("sheet".as_ref()).into(),
+            _ => make_up::folder(blueprint),
         })
 }
 

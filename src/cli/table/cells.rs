@@ -187,8 +187,10 @@ impl<'t> Cursor<'t> {
             return self.quoted(first);
         }
         let rest = &self.text[self.at..];
-        let is_end = |byte: u8| byte == self.delimiter || matches!(byte, b'\n' | b'\r');
-        let length = rest.bytes().position(is_end).unwrap_or(rest.len());
+        let length = rest
+            .bytes()
+            .position(|byte| byte == self.delimiter || matches!(byte, b'\n' | b'\r'))
+            .unwrap_or(rest.len());
         self.at += length;
         Ok(Cow::Borrowed(rest[..length].trim()))
     }
@@ -237,8 +239,10 @@ impl<'t> Cursor<'t> {
     }
 
     fn blanks(&mut self) {
-        let is_blank = |byte: u8| byte == b' ' || byte == b'\t' && self.delimiter != b'\t';
-        while self.peek().is_some_and(is_blank) {
+        while self
+            .peek()
+            .is_some_and(|byte| byte == b' ' || byte == b'\t' && self.delimiter != b'\t')
+        {
             self.at += 1;
         }
     }

@@ -57,7 +57,7 @@ impl Dialect {
     }
 
     /// A number to three decimals; nothing where there is none.
-    pub(crate) fn share(self, value: Option<f64>) -> String {
+    pub(crate) fn thousandths(self, value: Option<f64>) -> String {
         value.map_or_else(String::new, |own| self.number(&format!("{own:.3}")))
     }
 

@@ -144,18 +144,12 @@ impl Table {
         begins_row: &'t dyn Fn(&TableRow<'_>) -> bool,
     ) -> impl Iterator<Item = Result<TableRow<'t>, Broken<'t>>> {
         let delimiter = self.delimiter().map(char::from);
-        let is_headed = |(at, cell): (usize, &Cow<'_, str>)| {
-            let heading = self.headings.get(at);
-            cell.is_empty() || heading.is_some_and(|heading| !heading.is_empty())
-        };
         self.all(begins_row).skip(1).map(move |row| {
             let row = row?;
-            let Some(at) = row
-                .cells
-                .iter()
-                .enumerate()
-                .position(|cell| !is_headed(cell))
-            else {
+            let Some(at) = row.cells.iter().enumerate().position(|(at, cell)| {
+                let heading = self.headings.get(at);
+                !cell.is_empty() && heading.is_none_or(|heading| heading.is_empty())
+            }) else {
                 return Ok(row);
             };
             let (line, column) = (row.line, at + 1);
@@ -271,12 +265,11 @@ pub(crate) fn delimiter(text: &str) -> u8 {
     let header = lines.next().unwrap_or_default();
     // Quotation marks do not nest: every other piece lies outside of them.
     let outside = || header.split('"').step_by(2);
-    let count = |sign: u8| {
-        let bytes = outside().flat_map(str::bytes);
-        bytes.filter(|byte| *byte == sign).count()
-    };
     [b'\t', b';', b',']
         .into_iter()
-        .max_by_key(|sign| count(*sign))
+        .max_by_key(|sign| {
+            let bytes = outside().flat_map(str::bytes);
+            bytes.filter(|byte| *byte == *sign).count()
+        })
         .unwrap_or(b',')
 }

@@ -297,15 +297,16 @@ impl UnitScale {
     fn of(words: &QuestionWords<'_, '_>, place: usize, bands: &[Band]) -> Self {
         let part = &words.scene.solution().template().parts[place];
         let own = part.answer.unit();
-        let is_large = |thousandths: usize| {
-            let (_, power) = PREFIXES[thousandths];
-            let large = |size: f64, least: f64| size == 0.0 || size * power >= least;
-            let right = bands.iter().filter(|band| band.credit == Credit::FULL);
-            right
-                .clone()
-                .all(|band| large(band.value.abs(), SMALLEST[0]) && large(band.half, SMALLEST[1]))
-        };
-        let thousandths = (0..PREFIXES.len()).find(|own| is_large(*own)).unwrap_or(0);
+        let thousandths = (0..PREFIXES.len())
+            .find(|own| {
+                let (_, power) = PREFIXES[*own];
+                let large = |size: f64, least: f64| size == 0.0 || size * power >= least;
+                let right = bands.iter().filter(|band| band.credit == Credit::FULL);
+                right.clone().all(|band| {
+                    large(band.value.abs(), SMALLEST[0]) && large(band.half, SMALLEST[1])
+                })
+            })
+            .unwrap_or(0);
         if thousandths == 0 {
             let unit = words.unit(place);
             return Self { thousandths, unit };

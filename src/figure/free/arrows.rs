@@ -234,8 +234,8 @@ impl<'f> NumberedFigure<'f> {
         let sense = if noun == "moment" {
             let is_left = part.word("sense") != Some("cw");
             let sign = if is_left { 1.0 } else { -1.0 };
-            let does = |motion: &Moved| sign * motion.work_of_moment();
-            agrees(body, force, moved.iter().map(does))?;
+            let works = moved.iter().map(|motion| sign * motion.work_of_moment());
+            agrees(body, force, works)?;
             if is_left {
                 story::Sense::Counterclockwise
             } else {
@@ -359,12 +359,12 @@ impl<'f> NumberedFigure<'f> {
             if !is_link || body.kept.contains(&place) || is_cut(&place) {
                 continue;
             }
-            let is_held = |cut: &Cut| {
+            let are_held = self.cuts(body, place, Strand::All).iter().all(|cut| {
                 reactions
                     .iter()
                     .any(|reaction| reaction.distance(cut.at) < NEAR)
-            };
-            if !self.cuts(body, place, Strand::All).iter().all(is_held) {
+            });
+            if !are_held {
                 return Err(FreeFault::Uncut {
                     body: body.name.clone(),
                     link: self.link(place),

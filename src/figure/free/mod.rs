@@ -6,6 +6,7 @@
 //! and one that is none of the model's does no work.
 
 mod arrows;
+mod company;
 mod drawn;
 mod error;
 mod letter;

@@ -1,5 +1,6 @@
 //! From the tables `[figure.free.<body>]` to free-body diagrams.
 
+use super::company::with_company;
 use super::error::FreeFault;
 use super::letter::Product;
 use super::{
@@ -270,7 +271,6 @@ impl<'r, 'a, 's> FreeReader<'r, 'a, 's> {
         row: &'s Value,
     ) -> Option<(Option<Text>, Option<Expr>, WrittenArrow)> {
         let table = Table::of(outer.source(), outer.problems(), "figure.free.arrows", row)?;
-        let kinds = || Contact::ALL.iter().map(|(name, _)| *name);
         let first = table.entries().first();
         let known = first.and_then(|entry| {
             let found = Contact::ALL.iter().find(|(name, _)| *name == entry.key);
@@ -280,7 +280,7 @@ impl<'r, 'a, 's> FreeReader<'r, 'a, 's> {
             self.figure.find(&crate::figure::FigureError::Word {
                 key: "arrow",
                 found: first.map(|entry| entry.key.clone()).unwrap_or_default(),
-                known: kinds().collect(),
+                known: Contact::ALL.iter().map(|(name, _)| *name).collect(),
                 span: row.span,
             });
             return None;
@@ -539,43 +539,6 @@ fn has_id(row: &Value, id: &str) -> bool {
     entries.iter().any(|entry| {
         entry.key == "id" && matches!(&entry.value.data, Data::Text(text) if **text == *id)
     })
-}
-
-/// Adds what belongs to kept elements: bodies at the same centre, and coordinates and turns that start from them.
-fn with_company(items: &[Item], kept: &mut Vec<usize>) -> Vec<u32> {
-    let mut slots = Vec::new();
-    let mut ends = Vec::new();
-    for place in &*kept {
-        let item = &items[*place];
-        let own = item.ends.iter().filter_map(slot);
-        if matches!(item.kind.role(), Role::Body(_)) {
-            slots.extend(own.clone());
-        }
-        ends.extend(own);
-    }
-    for (place, item) in items.iter().enumerate() {
-        let [end] = item.ends.as_slice() else {
-            continue;
-        };
-        let Some(at) = slot(end) else { continue };
-        let is_company = match item.kind.role() {
-            Role::Body(_) => slots.contains(&at),
-            Role::Measure => ends.contains(&at),
-            _ => false,
-        };
-        if is_company && !kept.contains(&place) {
-            kept.push(place);
-        }
-    }
-    slots
-}
-
-/// The point of the figure at which something ends, or whose side it meets.
-fn slot(place: &ElementPlace) -> Option<u32> {
-    match place {
-        ElementPlace::Named(slot) | ElementPlace::Side(slot, _) => Some(*slot),
-        ElementPlace::Free(_) | ElementPlace::Pass(..) => None,
-    }
 }
 
 /// The forces of several laws, each with a component for each of their motions.

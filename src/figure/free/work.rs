@@ -69,8 +69,8 @@ pub(crate) fn works(
     direction: Point,
     share: Option<f64>,
 ) -> Result<(), FreeFault> {
-    let does = |motion: &Moved| motion.work(at, direction);
-    agrees(body, force, moved.iter().map(does))?;
+    let works = moved.iter().map(|motion| motion.work(at, direction));
+    agrees(body, force, works)?;
     // A force has its whole letter along a displacement, or the share of it that is written.
     let along = moved
         .iter()
@@ -92,11 +92,11 @@ pub(crate) fn agrees(
     force: &Force,
     works: impl Iterator<Item = f64>,
 ) -> Result<(), FreeFault> {
-    let is_right = |(work, sign): (f64, &Option<bool>)| match sign {
+    let is_right = works.zip(&force.signs).all(|(work, sign)| match sign {
         None => work.abs() <= SQUARE,
         Some(is_negative) => work.abs() > SQUARE && (work < 0.0) == *is_negative,
-    };
-    if works.zip(&force.signs).all(is_right) {
+    });
+    if is_right {
         return Ok(());
     }
     Err(fault(body, force))
@@ -121,11 +121,11 @@ pub(crate) fn twisted(
         return Ok(None);
     };
     let moment = if is_negative { -axis } else { axis };
-    let does = |motion: &Moved| match motion {
+    let works = moved.iter().map(|motion| match motion {
         Moved::Twist(own) => own.dot(moment),
         Moved::Along(_) | Moved::Turn(..) => 0.0,
-    };
-    agrees(body, force, moved.iter().map(does))?;
+    });
+    agrees(body, force, works)?;
     let sense = if is_negative {
         story::Sense::AgainstTwist
     } else {

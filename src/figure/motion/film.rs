@@ -106,13 +106,12 @@ impl<'f> MovingFigure<'f> {
             .map(|state| self.motion.displacements(&mut self.values, state))
             .collect();
         let poses = self.scaled(&all);
-        let is_still = |place: usize| self.is_still(place);
-        let mut still = self.drawing(&[], is_still);
+        let mut still = self.drawing(&[], |place| self.is_still(place));
         let mut frames: Vec<Drawing> = poses
             .iter()
             .map(|rigid| {
-                let mut frame = self.drawing(rigid, |place| !is_still(place));
-                self.spokes(rigid, &mut frame);
+                let mut frame = self.drawing(rigid, |place| !self.is_still(place));
+                self.spokes(rigid, &mut frame, Pen::new(Weight::Thin));
                 frame
             })
             .collect();
@@ -237,15 +236,11 @@ impl<'f> MovingFigure<'f> {
                 Pose::Still | Pose::Gone => {}
             }
         }
-        self.spokes_in(rigid, drawing, Pen::new(Weight::Thin).faint());
+        self.spokes(rigid, drawing, Pen::new(Weight::Thin).faint());
     }
 
     /// A line on what is round, without which nobody sees it turn.
-    fn spokes(&self, rigid: &[Rigid], drawing: &mut Drawing) {
-        self.spokes_in(rigid, drawing, Pen::new(Weight::Thin));
-    }
-
-    fn spokes_in(&self, rigid: &[Rigid], drawing: &mut Drawing, pen: Pen) {
+    fn spokes(&self, rigid: &[Rigid], drawing: &mut Drawing, pen: Pen) {
         let moves = self.motion.points.iter().zip(rigid);
         for (point, rigid) in moves {
             if point.turn.is_none() {

@@ -44,7 +44,7 @@ impl Axis {
     pub(crate) fn coordinates(&self, name: char, range: [f64; 2]) -> Result<[f64; 2], PlotError> {
         let [from, to] = range;
         let coordinate = |value| {
-            self.coordinate(value).ok_or_else(|| PlotError::Range {
+            self.coordinate(value).ok_or(PlotError::Range {
                 axis: name,
                 from,
                 to,

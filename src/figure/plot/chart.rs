@@ -5,7 +5,7 @@ use super::frame::Frame;
 use super::lettering::{Letterer, Named};
 use super::{CurveStyle, DASHES, Picture, Plot, PlotError, axis, description};
 use crate::figure::story::Story;
-use crate::figure::{Dash, Drawing, Fill, Path, Pen, Point, Weight};
+use crate::figure::{Dash, Drawing, Fill, Path, Pen, Weight};
 use crate::math::Math;
 
 /// Radius of the dot of a mark.
@@ -33,7 +33,9 @@ pub(crate) fn draw(plot: &Plot<'_>) -> Result<Picture, PlotError> {
     let mut letterer = Letterer::of(&frame, &lines, plot, ends);
     for (number, mark) in plot.marks.iter().enumerate() {
         match place(plot, mark.at).map(|at| frame.place(at)) {
-            Some(at) if Frame::bounds().grown(1e-6).has(at) => dot(&mut drawing, at),
+            Some(at) if Frame::bounds().grown(1e-6).has(at) => {
+                drawing.shape(Path::circle(at, DOT), None, Fill::Ink);
+            }
             _ => {
                 return Err(PlotError::Mark {
                     at: plot.marks[number].at,
@@ -61,9 +63,6 @@ fn axis_label(plot: &Plot<'_>) -> (Math, Option<usize>) {
     if plot.y.label != Math::Row(Vec::new()) {
         return (plot.y.label.clone(), None);
     }
-    let is_named = |curve: &super::Curve<'_>| {
-        curve.label.is_some() && !matches!(curve.style, CurveStyle::Limit | CurveStyle::Band)
-    };
     let mut named = plot
         .curves
         .iter()
@@ -76,6 +75,11 @@ fn axis_label(plot: &Plot<'_>) -> (Math, Option<usize>) {
         ),
         _ => (Math::Row(Vec::new()), None),
     }
+}
+
+/// Whether a curve, which is neither a limit nor a band, has a name.
+fn is_named(curve: &super::Curve<'_>) -> bool {
+    curve.label.is_some() && !matches!(curve.style, CurveStyle::Limit | CurveStyle::Band)
 }
 
 /// The names of the curves, with the pens in a legend if it comes to that.
@@ -109,8 +113,4 @@ fn pens(plot: &Plot<'_>) -> Vec<Pen> {
             CurveStyle::Band => Pen::new(Weight::Hair),
         })
         .collect()
-}
-
-fn dot(drawing: &mut Drawing, at: Point) {
-    drawing.shape(Path::circle(at, DOT), None, Fill::Ink);
 }

@@ -194,12 +194,12 @@ pub(crate) fn area(low: &CurveLine, high: &CurveLine, frame: &Frame) -> Option<P
     let ([low], [high]) = (low.runs.as_slice(), high.runs.as_slice()) else {
         return None;
     };
-    let turned = |knot: &Knot| Knot {
+    let turned = high.iter().rev().map(|knot| Knot {
         variable: -knot.variable,
         direction: knot.direction.map(|part| -part),
         ..*knot
-    };
-    let back: CurveRun = high.iter().rev().map(turned).collect();
+    });
+    let back: CurveRun = turned.collect();
     let path = run_path(low, frame).line_to(frame.place(back[0].at));
     Some(append(path, &back, frame).close())
 }

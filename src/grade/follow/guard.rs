@@ -41,13 +41,15 @@ pub(crate) fn is_plausible(
         _ => {}
     }
     let entries = 0..right.shape().len();
-    let is_near = |entry: usize| {
+    let are_near = entries.clone().all(|entry| {
         let (own, right) = (own.entry(entry).abs(), right.entry(entry).abs());
         own.is_finite() && own >= right / PLAUSIBLE && own <= right * PLAUSIBLE && right > 0.0
-    };
-    let has_sign = |entry: usize| own.entry(entry).re * right.entry(entry).re >= 0.0;
-    entries.clone().all(is_near)
-        && (entries.into_iter().all(has_sign) || has_any_sign(solution, node))
+    });
+    are_near
+        && (entries
+            .into_iter()
+            .all(|entry| own.entry(entry).re * right.entry(entry).re >= 0.0)
+            || has_any_sign(solution, node))
 }
 
 /// Whether a shape is what a part asks for in this quantity.

@@ -224,8 +224,10 @@ impl PartSearch<'_> {
             let mut pairs = values.iter().zip(&self.asked);
             let ratio = |(value, asked): (&f64, &f64)| value / pow(*asked, exponent);
             let first = ratio(pairs.next()?);
-            let is_same = |pair| (ratio(pair) - first).abs() <= ROUNDING * first.abs();
-            if !first.is_finite() || first == 0.0 || !pairs.all(is_same) {
+            if !first.is_finite()
+                || first == 0.0
+                || !pairs.all(|pair| (ratio(pair) - first).abs() <= ROUNDING * first.abs())
+            {
                 return None;
             }
             let exponent = Rational::new(above, below)?;

@@ -179,10 +179,10 @@ fn entries(matrix: &Expr, size: usize) -> Option<Vec<Expr>> {
     let Kind::Array(rows) = matrix.kind() else {
         return None;
     };
-    let row = |row: &Expr| match row.kind() {
+    let rows = rows.iter().map(|row| match row.kind() {
         Kind::Array(entries) => Some(entries.clone()),
         _ => None,
-    };
-    let entries = rows.iter().map(row).collect::<Option<Vec<_>>>()?.concat();
+    });
+    let entries = rows.collect::<Option<Vec<_>>>()?.concat();
     (entries.len() == size * size).then_some(entries)
 }

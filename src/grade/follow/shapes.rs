@@ -54,10 +54,10 @@ pub(crate) fn extend(solution: &Solution<'_>, answers: &mut Answers) {
         let own: Vec<&Own> = shapes.iter().collect();
         let evaluation = solution.evaluation().replacing(answers.values(&own));
         for (node, info) in &solution.template().quantities {
-            let follows = |route: &NodeId| {
+            let route = info.verify.filter(|route| {
                 graph.depends(*route, &shape.name) && !graph.depends(*node, &shape.name)
-            };
-            let Some(route) = info.verify.filter(follows) else {
+            });
+            let Some(route) = route else {
                 continue;
             };
             if answers.has(*node) {

@@ -279,10 +279,9 @@ fn frequencies_of_two(mass: &[Expr], stiffness: &[Expr]) -> Option<Expr> {
     let [k11, k12, k21, k22] = stiffness else {
         return None;
     };
-    let product = |a: &Expr, b: &Expr| a.clone() * b.clone();
-    let a = product(m11, m22) - product(m12, m21);
-    let b = product(m11, k22) + product(m22, k11) - product(m12, k21) - product(m21, k12);
-    let c = product(k11, k22) - product(k12, k21);
+    let a = m11 * m22 - m12 * m21;
+    let b = m11 * k22 + m22 * k11 - m12 * k21 - m21 * k12;
+    let c = k11 * k22 - k12 * k21;
     let sqrt = |inner: Expr| Expr::call(Function::Sqrt, vec![inner]);
     let root = sqrt(b.clone().squared() - Expr::number(4) * a.clone() * c);
     let twice = Expr::number(2) * a;

@@ -129,12 +129,6 @@ fn written_sum(terms: &[(f64, Expr)]) -> Expr {
     let terms = terms
         .iter()
         .filter(|(factor, _)| rounded(*factor).as_number() != Some(Rational::ZERO));
-    let is_sum = |expr: &Expr| {
-        matches!(
-            expr.kind(),
-            Kind::Binary(Operator::Add | Operator::Subtract, ..)
-        )
-    };
     terms.fold(Expr::number(0), |sum, (factor, term)| {
         let size = rounded(factor.abs());
         let term = match term.as_number() {
@@ -148,4 +142,12 @@ fn written_sum(terms: &[(f64, Expr)]) -> Expr {
             sum + term
         }
     })
+}
+
+/// Whether a formula is a sum.
+fn is_sum(expr: &Expr) -> bool {
+    matches!(
+        expr.kind(),
+        Kind::Binary(Operator::Add | Operator::Subtract, ..)
+    )
 }

@@ -165,7 +165,8 @@ pub(crate) fn masses(numbers: &Numbers) -> Result<Value, Unavailable> {
 /// [`Unavailable::CoupledDamping`], [`Unavailable::Unstable`], and those of [`Numbers::modes`].
 pub(crate) fn damping_ratios(numbers: &Numbers) -> Result<Value, Unavailable> {
     let modes = numbers.modes()?;
-    let ratio = |(mode, damping): (usize, f64)| {
+    let dampings = dampings(numbers)?.into_iter().enumerate();
+    let ratios = dampings.map(|(mode, damping)| {
         let frequency = modes
             .natural_angular_frequency(mode)
             .ok_or(Unavailable::Unstable)?;
@@ -174,9 +175,8 @@ pub(crate) fn damping_ratios(numbers: &Numbers) -> Result<Value, Unavailable> {
             (false, true) => Err(Unavailable::Singular),
             (false, false) => Ok(damping / (2.0 * frequency)),
         }
-    };
-    let dampings = dampings(numbers)?.into_iter().enumerate();
-    vector(dampings.map(ratio).collect::<Result<_, _>>()?)
+    });
+    vector(ratios.collect::<Result<_, _>>()?)
 }
 
 /// The factors of cos ω_r t and sin ω_r t of each modal coordinate in the free motion, by rows.

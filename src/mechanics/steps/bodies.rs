@@ -5,7 +5,7 @@ use thiserror::Error;
 use super::factors::signed_terms;
 use super::lagrange::line_of;
 use super::{Deriver, Line, LineSide, Reason, Step, Unavailable, product};
-use crate::expr::{Expr, Function, Name, Normal, sum_of_signed_terms};
+use crate::expr::{Expr, Name, Normal, sum_of_signed_terms};
 use crate::mechanics::{Model, Quantity};
 use crate::source::Span;
 
@@ -239,16 +239,9 @@ pub(crate) fn prove_newton(model: &Model) -> Result<(), NewtonError> {
 fn with_dry_friction(model: &Model, at: usize) -> Result<Normal, Unavailable> {
     let residual = model.residuals[at].clone();
     let name = &model.coordinates()[at];
-    let own = model
-        .definition
-        .friction
-        .iter()
-        .find(|(own, _)| own == name);
-    let Some((_, friction)) = own else {
+    let Some((friction, direction)) = model.definition.friction_along(name) else {
         return Ok(residual);
     };
-    let velocity = Expr::name(name.clone()).prime(1);
-    let direction = Expr::call(Function::Sign, [velocity]);
     let force = Normal::of(&product(friction.kinetic.clone(), direction))?;
     Ok(residual.plus(&force)?)
 }

@@ -20,7 +20,7 @@ pub(crate) fn energy(deriver: &Deriver<'_>) -> Result<Vec<Step>, Unavailable> {
         return Err(Unavailable::TimeVarying);
     }
     let normal = Normal::of(&energy)?;
-    let written = collected_energy(deriver, &normal);
+    let written = normal.to_expr(&deriver.model.order().clone().descending());
     let mut sides = vec![
         LineSide::term(LawTerm::Energy),
         LineSide::Formula(energy.clone()),
@@ -118,11 +118,6 @@ fn law(power: &Expr) -> Line {
         vec![(false, LawTerm::Power)]
     };
     Line::exact([LineSide::term(LawTerm::EnergyRate), LineSide::Terms(right)])
-}
-
-/// The energy of one coordinate, its terms collected.
-fn collected_energy(deriver: &Deriver<'_>, energy: &Normal) -> Expr {
-    energy.to_expr(&deriver.model.order().clone().descending())
 }
 
 /// Force and power along each coordinate of what has no potential energy: dampers, forces, friction.

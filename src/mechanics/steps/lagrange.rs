@@ -3,8 +3,7 @@
 use super::factors::signed_terms;
 use super::{Deriver, LawTerm, Line, LineSide, Reason, Step, Unavailable, is_zero, product};
 use crate::expr::{
-    Equation, Expr, Function, Name, Normal, Substitution, Variable, differentiate,
-    sum_of_signed_terms,
+    Equation, Expr, Name, Normal, Substitution, Variable, differentiate, sum_of_signed_terms,
 };
 
 /// A derivative through the kinematic names, and in the coordinates.
@@ -227,9 +226,7 @@ pub(crate) fn force(deriver: &Deriver<'_>, at: usize) -> Result<Option<Expr>, Un
     {
         terms.push(deriver.tidy(&deriver.resolved(force)?));
     }
-    if let Some((_, friction)) = definition.friction.iter().find(|(own, _)| own == name) {
-        let velocity = Expr::name(name.clone()).prime(1);
-        let direction = Expr::call(Function::Sign, [velocity]);
+    if let Some((friction, direction)) = definition.friction_along(name) {
         terms.push((
             true,
             product(deriver.resolved(&friction.kinetic)?, direction),

@@ -329,15 +329,15 @@ fn audience(table: &Table<'_>, faults: &mut Faults<'_>) -> Option<Audience> {
 }
 
 fn columns(table: Table<'_>) -> Columns {
-    let heading = |key: &'static str| {
+    let headings = Columns::ROLES.into_iter().filter_map(|key| {
         let value = table.value(key)?;
         let headings = match &value.data {
             Data::List(_) => table.texts(key),
             _ => table.as_text(key, value).into_iter().collect(),
         };
         Some((key, headings))
-    };
-    let headings = Columns::ROLES.into_iter().filter_map(heading).collect();
+    });
+    let headings = headings.collect();
     table.finish();
     Columns { headings }
 }

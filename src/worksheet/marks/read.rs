@@ -174,15 +174,14 @@ fn best(table: &Table<'_>) -> Vec<Best> {
     let Some(value) = table.value("best") else {
         return Vec::new();
     };
-    let wrong = |value: &Value| {
-        table.wrong(
-            "best",
-            "how many questions count, or a table of sections",
-            value,
-        )
-    };
     let of = |section: &str, value: &Value| {
-        let count = count_of(value).or_else(|| wrong(value))?;
+        let count = count_of(value).or_else(|| {
+            table.wrong(
+                "best",
+                "how many questions count, or a table of sections",
+                value,
+            )
+        })?;
         Some(Best {
             section: section.to_owned(),
             count,
@@ -236,8 +235,10 @@ fn scale(table: &Table<'_>, errors: &mut Vec<MarksError>) -> Vec<GradeStep> {
             from,
         }));
     }
-    let is_share = |step: &&GradeStep| matches!(step.from, Bound::Share(_));
-    let shares = steps.iter().filter(is_share).count();
+    let shares = steps
+        .iter()
+        .filter(|step| matches!(step.from, Bound::Share(_)))
+        .count();
     if shares != 0 && shares != steps.len() {
         errors.push(MarksError::Mixed(value.span));
         return steps;

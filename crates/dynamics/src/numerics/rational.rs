@@ -240,10 +240,10 @@ impl Ord for Rational {
         if self.denominator == other.denominator {
             return self.numerator.cmp(&other.numerator);
         }
-        let whole = |r: &Self| r.numerator.div_euclid(r.denominator);
         let rest = |r: &Self| (r.numerator.rem_euclid(r.denominator), r.denominator);
-        whole(self)
-            .cmp(&whole(other))
+        self.numerator
+            .div_euclid(self.denominator)
+            .cmp(&other.numerator.div_euclid(other.denominator))
             .then_with(|| match (rest(self), rest(other)) {
                 ((0, _), (0, _)) => Ordering::Equal,
                 ((0, _), _) => Ordering::Less,

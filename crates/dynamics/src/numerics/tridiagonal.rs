@@ -27,12 +27,11 @@ pub(crate) fn eigenvalues(diagonal: &[f64], off_diagonal: &[f64]) -> Option<Vec<
     let mut squares: Vec<f64> = off_diagonal.iter().map(|e| e * e).collect();
     let (mut first, mut passes) = (0, 0);
     while first + 1 < diagonal.len() {
-        let negligible = |i: usize| {
-            let product = (diagonal[i] * diagonal[i + 1]).abs();
-            squares[i] <= U * U * product || squares[i] < f64::MIN_POSITIVE
-        };
         let last = (first..squares.len())
-            .find(|&i| negligible(i))
+            .find(|&i| {
+                let product = (diagonal[i] * diagonal[i + 1]).abs();
+                squares[i] <= U * U * product || squares[i] < f64::MIN_POSITIVE
+            })
             .unwrap_or(squares.len());
         if let Some(square) = squares.get_mut(last) {
             *square = 0.0;

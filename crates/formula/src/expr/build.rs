@@ -107,6 +107,14 @@ impl Mul for Expr {
     }
 }
 
+impl Mul for &Expr {
+    type Output = Expr;
+
+    fn mul(self, other: Self) -> Expr {
+        self.clone() * other.clone()
+    }
+}
+
 /// `2*x` as (2, x).
 fn leading_number(expr: &Expr) -> Option<(Rational, Expr)> {
     match expr.kind() {

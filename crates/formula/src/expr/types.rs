@@ -231,10 +231,11 @@ impl Type {
     /// The same field and shape with each dimension changed.
     #[must_use]
     pub(crate) fn map(&self, change: impl Fn(Dimension) -> Dimension) -> Self {
-        let each = |dimension: &AnyDimension| dimension.map(&change);
         let dimensions = match &self.dimensions {
-            Dimensions::Uniform(dimension) => Dimensions::Uniform(each(dimension)),
-            Dimensions::Each(all) => Dimensions::Each(all.iter().map(each).collect()),
+            Dimensions::Uniform(dimension) => Dimensions::Uniform(dimension.map(&change)),
+            Dimensions::Each(all) => {
+                Dimensions::Each(all.iter().map(|dimension| dimension.map(&change)).collect())
+            }
         };
         Self {
             form: self.form,

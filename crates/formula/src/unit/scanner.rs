@@ -165,18 +165,20 @@ impl<'a> Scanner<'a> {
         if raised.is_empty() || raised.chars().count() > 3 {
             return None;
         }
-        let digit = |char| {
-            SUPERSCRIPTS
-                .iter()
-                .position(|&raised| raised == char)
-                .unwrap_or(0) as i32
-        };
         let power = raised
             .chars()
             .fold(0, |power, char| 10 * power + digit(char));
         *self = ahead;
         Some(Rational::integer(if negative { -power } else { power }))
     }
+}
+
+/// The digit that a raised sign is.
+fn digit(char: char) -> i32 {
+    SUPERSCRIPTS
+        .iter()
+        .position(|&raised| raised == char)
+        .unwrap_or(0) as i32
 }
 
 /// The raised digits, in order.

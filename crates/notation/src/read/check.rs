@@ -338,7 +338,7 @@ impl<'a> LatexChecker<'a> {
             "qty" => self.quantity(start),
             "dddot" => self.out.push_str(r"\overset{\ldots}"),
             "bm" => self.out.push_str(r"\boldsymbol"),
-            _ if is_command(name) => {
+            _ if commands().any(|command| command == name) => {
                 self.out.push('\\');
                 self.out.push_str(name);
             }
@@ -522,10 +522,6 @@ impl<'a> LatexChecker<'a> {
         }
         self.open(Open::Quantity, start, "{");
     }
-}
-
-fn is_command(name: &str) -> bool {
-    commands().any(|command| command == name)
 }
 
 /// All commands made of letters.

@@ -312,9 +312,11 @@ impl<'a> Fold<'a> {
                 _ => break,
             }
         }
-        let is_blank =
-            |row: &Vec<Math>| matches!(row.as_slice(), [Math::Row(pieces)] if pieces.is_empty());
-        if rows.len() > 1 && rows.last().is_some_and(is_blank) {
+        if rows.len() > 1
+            && rows.last().is_some_and(
+                |row| matches!(row.as_slice(), [Math::Row(pieces)] if pieces.is_empty()),
+            )
+        {
             rows.pop();
         }
         Some(Math::Table { rows, kind })
@@ -340,15 +342,14 @@ impl<'a> Fold<'a> {
 
     fn script(&mut self, ty: ScriptType, position: ScriptPosition) -> Option<Math> {
         let base = self.argument()?;
-        let part = |is_there: bool, fold: &mut Self| {
-            if is_there {
-                fold.mark().map(Some)
-            } else {
-                Some(None)
-            }
+        let lower = match ty {
+            ScriptType::Superscript => None,
+            _ => Some(self.mark()?),
         };
-        let lower = part(ty != ScriptType::Superscript, self)?;
-        let upper = part(ty != ScriptType::Subscript, self)?;
+        let upper = match ty {
+            ScriptType::Subscript => None,
+            _ => Some(self.mark()?),
+        };
         if position != ScriptPosition::AboveBelow {
             if is_degree(&base, lower.as_ref(), upper.as_ref()) {
                 return Some(Math::operator("°", Class::Ordinary));

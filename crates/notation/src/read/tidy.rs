@@ -114,7 +114,7 @@ fn prime(last: &mut Math, piece: Math) -> Option<Math> {
         _ => (false, true),
     };
     if !can_bear || has_sub && lower.is_some() {
-        return again(mark, lower, rest);
+        return Some(again(mark, lower, rest));
     }
     let bearer = std::mem::replace(last, Math::Row(Vec::new()));
     let (base, sub, own) = match bearer {
@@ -141,14 +141,14 @@ fn prime(last: &mut Math, piece: Math) -> Option<Math> {
 }
 
 /// A mark with the scripts that are left to it.
-fn again(mark: Math, sub: Option<Box<Math>>, sup: Option<Box<Math>>) -> Option<Math> {
+fn again(mark: Math, sub: Option<Box<Math>>, sup: Option<Box<Math>>) -> Math {
     match (&sub, &sup) {
-        (None, None) => Some(mark),
-        _ => Some(Math::Script {
+        (None, None) => mark,
+        _ => Math::Script {
             base: Box::new(mark),
             sub,
             sup,
-        }),
+        },
     }
 }
 

@@ -3,7 +3,7 @@
 use vibank::grade;
 use vibank::output::{Decided, DecidedMark};
 
-use super::{Decision, Decisions};
+use super::Decisions;
 use crate::cli::Failure;
 use crate::cli::folder::Folder;
 use crate::cli::grade::outcome::{SheetOutcome, Standing};
@@ -62,15 +62,15 @@ impl Log {
     /// Each decision with the marks that it has changed.
     pub(crate) fn decided(self, decisions: &Decisions) -> Vec<Decided> {
         let mut changed = self.changed.into_iter();
-        let decided = |decision: &Decision| Decided {
+        let decided = decisions.all.iter().map(|decision| Decided {
             place: decision.place.clone(),
             subject: decision.subject.clone(),
             words: decision.words.clone(),
             who: decision.who.clone(),
             why: decision.why.clone(),
             changed: changed.next().unwrap_or_default(),
-        };
-        decisions.all.iter().map(decided).collect()
+        });
+        decided.collect()
     }
 }
 

@@ -51,19 +51,21 @@ fn turn_of(x: f64) -> TurnFraction {
 
 /// The fractional bits of 2^shift * 2/π.
 fn window(shift: i32) -> TurnFraction {
-    let word = |i: i32| {
-        usize::try_from(i)
-            .ok()
-            .and_then(|i| TWO_OVER_PI.get(i))
-            .copied()
-            .unwrap_or(0)
-    };
     let (start, offset) = (shift.div_euclid(64), shift.rem_euclid(64) as u32);
     std::array::from_fn(|i| {
         let at = start + i as i32;
         let pair = u128::from(word(at)) << 64 | u128::from(word(at + 1));
         (pair << offset >> 64) as u64
     })
+}
+
+/// A word of 2/π, zero outside of it.
+fn word(i: i32) -> u64 {
+    usize::try_from(i)
+        .ok()
+        .and_then(|i| TWO_OVER_PI.get(i))
+        .copied()
+        .unwrap_or(0)
 }
 
 fn product(turn: TurnFraction, factor: u64) -> TurnFraction {

@@ -273,11 +273,12 @@ fn uncoupled(damping: &DMatrix<Dd>) -> Option<Vec<Dd>> {
     let diagonal: Vec<Dd> = damping.diagonal().iter().copied().collect();
     let largest = diagonal.iter().map(|c| c.hi().abs()).fold(0.0, f64::max);
     let unit = 4.0 * size as f64 * f64::EPSILON;
-    let is_negligible = |r: usize, s: usize| {
-        let pair = (diagonal[r].hi() * diagonal[s].hi()).abs().sqrt();
-        damping[(r, s)].hi().abs() <= unit * pair + ROUNDING * largest
-    };
-    let all = (0..size).all(|s| (0..s).all(|r| is_negligible(r, s)));
+    let all = (0..size).all(|s| {
+        (0..s).all(|r| {
+            let pair = (diagonal[r].hi() * diagonal[s].hi()).abs().sqrt();
+            damping[(r, s)].hi().abs() <= unit * pair + ROUNDING * largest
+        })
+    });
     all.then_some(diagonal)
 }
 

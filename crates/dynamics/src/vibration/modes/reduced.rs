@@ -96,8 +96,8 @@ fn weighted_matrix(masses: &[f64], springs: &[Link]) -> Vec<f64> {
     for spring in springs {
         spring.stamp(spring.coefficient / masses[0], &mut matrix);
     }
-    let root = |m: &f64| root_of_ratio(*m, masses[0]);
-    let roots: Vec<f64> = masses.iter().map(root).collect();
+    let roots = masses.iter().map(|m| root_of_ratio(*m, masses[0]));
+    let roots: Vec<f64> = roots.collect();
     let mut entries = Vec::with_capacity(size * size);
     for (column, root) in matrix.as_slice().chunks_exact(size).zip(&roots) {
         entries.extend(

@@ -251,7 +251,7 @@ impl MotionType {
                 functions, clock, ..
             } => EllipticValues::Swing(functions.at(clock.sin_cos(t))),
             Self::Separatrix { rate, start } => {
-                EllipticValues::Separatrix(separatrix_argument(*rate, *start, t))
+                EllipticValues::Separatrix((*rate * t + *start).hi())
             }
             Self::Turn {
                 functions, clock, ..
@@ -375,10 +375,6 @@ fn scaled(pendulum: &Pendulum, angular_velocity: f64) -> (f64, f64, f64) {
         scale_by_power_of_two(pendulum.length, -of_length),
         scale_by_power_of_two(pendulum.gravity, -of_length - 2 * pendulum.exponent),
     )
-}
-
-fn separatrix_argument(rate: Dd, start: f64, t: f64) -> f64 {
-    (rate * t + start).hi()
 }
 
 /// Half of the angle less its full turns, and these turns in rad.

@@ -243,12 +243,11 @@ impl Array {
 
     /// A component, or a row of a matrix; indices count from 1.
     pub(crate) fn component(&self, indices: &[usize]) -> Result<Self> {
-        let out_of_range = || CompileError::Form { found: self.form() };
         let within = |index: usize, length: usize| {
             index
                 .checked_sub(1)
                 .filter(|index| *index < length)
-                .ok_or_else(out_of_range)
+                .ok_or_else(|| CompileError::Form { found: self.form() })
         };
         match (self.shape, indices) {
             (Shape::Vector(length), [index]) => {
@@ -263,7 +262,7 @@ impl Array {
                 let position = within(*row, rows)? * columns + within(*column, columns)?;
                 Ok(Self::scalar(self.entries[position]))
             }
-            _ => Err(out_of_range()),
+            _ => Err(CompileError::Form { found: self.form() }),
         }
     }
 

@@ -94,10 +94,6 @@ impl Program {
 
     /// The slots of the inputs that a run may ask for, in ascending order.
     pub fn slots(&self) -> Vec<u32> {
-        let slot = |instruction: &Instruction| match instruction.step {
-            ProgramStep::Input(slot) => Some(slot),
-            _ => None,
-        };
         let mut slots: Vec<u32> = self.code.iter().filter_map(slot).collect();
         vibank_dynamics::numerics::sort_by(&mut slots, Ord::cmp);
         slots.dedup();
@@ -106,10 +102,6 @@ impl Program {
 
     /// The numbers of the functions of time that a run may ask for, in ascending order.
     pub fn motions(&self) -> Vec<u32> {
-        let motion = |instruction: &Instruction| match instruction.step {
-            ProgramStep::Motion(index, ..) => Some(index),
-            _ => None,
-        };
         let mut motions: Vec<u32> = self.code.iter().filter_map(motion).collect();
         vibank_dynamics::numerics::sort_by(&mut motions, Ord::cmp);
         motions.dedup();
@@ -322,6 +314,22 @@ impl Program {
     /// Where the whole formula was written.
     fn span(&self) -> Span {
         self.spans.last().copied().unwrap_or(Span::NONE)
+    }
+}
+
+/// The motion that an instruction takes.
+fn motion(instruction: &Instruction) -> Option<u32> {
+    match instruction.step {
+        ProgramStep::Motion(index, ..) => Some(index),
+        _ => None,
+    }
+}
+
+/// The input that an instruction takes.
+fn slot(instruction: &Instruction) -> Option<u32> {
+    match instruction.step {
+        ProgramStep::Input(slot) => Some(slot),
+        _ => None,
     }
 }
 

@@ -148,32 +148,35 @@ impl<S: Scalar> Lap<S> {
         varied: &[u32],
         inputs: &(impl Inputs<S> + ?Sized),
     ) -> Result<Outcome<'a, S>, Absence> {
-        let is_open = match &self.path {
-            Some(SweptSteps::Whole) => return program.run(inputs, &mut self.registers),
-            Some(SweptSteps::Fixed {
-                steps,
-                taken,
-                is_open,
-            }) => {
-                let mut machine = Machine::new(program, &inputs, self.registers.of(program));
-                machine.doubt.is_open = *is_open;
-                machine.repeat(steps)?;
-                // The steps are taken by now; whoever spends next finds that nothing is left.
-                let _ = work::spend(taken * weight::<S>());
-                machine.doubt.is_open
-            }
-            None => {
-                if program.code.iter().any(|own| is_search(own.step)) {
-                    self.path = Some(SweptSteps::Whole);
-                    return program.run(inputs, &mut self.registers);
+        let is_open =
+            match &self.path {
+                Some(SweptSteps::Whole) => return program.run(inputs, &mut self.registers),
+                Some(SweptSteps::Fixed {
+                    steps,
+                    taken,
+                    is_open,
+                }) => {
+                    let mut machine = Machine::new(program, &inputs, self.registers.of(program));
+                    machine.doubt.is_open = *is_open;
+                    machine.repeat(steps)?;
+                    // The steps are taken by now; whoever spends next finds that nothing is left.
+                    let _ = work::spend(taken * weight::<S>());
+                    machine.doubt.is_open
                 }
-                let mut machine = Machine::new(program, &inputs, self.registers.of(program));
-                let path = first(&mut machine, program, varied)?;
-                let is_open = machine.doubt.is_open;
-                self.path = Some(path);
-                is_open
-            }
-        };
+                None => {
+                    if program.code.iter().any(|own| {
+                        matches!(own.step, ProgramStep::Root(_) | ProgramStep::Integral(_))
+                    }) {
+                        self.path = Some(SweptSteps::Whole);
+                        return program.run(inputs, &mut self.registers);
+                    }
+                    let mut machine = Machine::new(program, &inputs, self.registers.of(program));
+                    let path = first(&mut machine, program, varied)?;
+                    let is_open = machine.doubt.is_open;
+                    self.path = Some(path);
+                    is_open
+                }
+            };
         Ok(program.outcome(&self.registers, is_open))
     }
 }
@@ -221,10 +224,6 @@ fn first<S: Scalar>(
     } else {
         SweptSteps::Whole
     })
-}
-
-fn is_search(step: ProgramStep) -> bool {
-    matches!(step, ProgramStep::Root(_) | ProgramStep::Integral(_))
 }
 
 #[cfg(test)]

@@ -55,12 +55,9 @@ pub(crate) fn of_two_arguments(
     [u, v]: [&Expr; 2],
     [du, dv]: [&Expr; 2],
 ) -> Result<Expr, SymbolicError> {
-    let product = |a: &Expr, b: &Expr| a.clone() * b.clone();
     Ok(match function {
-        Function::Atan2 => {
-            (product(v, du) - product(u, dv)) / (u.clone().squared() + v.clone().squared())
-        }
-        Function::Hypot => (product(u, du) + product(v, dv)) / call.clone(),
+        Function::Atan2 => (v * du - u * dv) / (u.clone().squared() + v.clone().squared()),
+        Function::Hypot => (u * du + v * dv) / call.clone(),
         // mod(u, v) = u - v floor(u/v), where the floor is constant by pieces.
         Function::Mod => {
             let whole = Expr::call(Function::Floor, [u.clone() / v.clone()]);

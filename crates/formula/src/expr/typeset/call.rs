@@ -120,15 +120,14 @@ pub(crate) fn at(setter: &Setter<'_>, inner: &Expr, values: &[(Name, Expr)]) -> 
 
 /// ∂²f/∂x∂y.
 pub(crate) fn partial_derivative(setter: &Setter<'_>, inner: &Expr, names: &[Name]) -> SetPiece {
-    let partial = || Math::operator("∂", Class::Ordinary);
     let above = match names.len() {
-        1 => partial(),
-        n => partial().with_sup(Math::number(n.to_string())),
+        1 => Math::operator("∂", Class::Ordinary),
+        n => Math::operator("∂", Class::Ordinary).with_sup(Math::number(n.to_string())),
     };
     let mut below = Vec::new();
     for same in names.chunk_by(|a, b| a == b) {
         let name = setter.math(&Expr::name(same[0].clone()));
-        below.push(partial());
+        below.push(Math::operator("∂", Class::Ordinary));
         below.push(match same.len() {
             1 => name,
             n => name.with_sup(Math::number(n.to_string())),

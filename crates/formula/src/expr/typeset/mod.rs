@@ -269,11 +269,11 @@ impl Setter<'_> {
 
     /// A vector as a column, an array of arrays as a matrix.
     fn array(&self, entries: &[Expr]) -> SetPiece {
-        let row = |entry: &Expr| match entry.kind() {
+        let rows = entries.iter().map(|entry| match entry.kind() {
             Kind::Array(row) => row.iter().map(|entry| self.math(entry)).collect(),
             _ => vec![self.math(entry)],
-        };
-        SetPiece::atom(Math::matrix(entries.iter().map(row).collect()))
+        });
+        SetPiece::atom(Math::matrix(rows.collect()))
     }
 }
 

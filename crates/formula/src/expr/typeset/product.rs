@@ -196,15 +196,14 @@ fn is_number_fraction(part: &ProductPart) -> bool {
 
 /// A fraction of numbers in front of a numerator goes to the two sides of the bar.
 fn hoisted(above: &[ProductPart], below: &[ProductPart]) -> (Vec<ProductPart>, Vec<ProductPart>) {
-    let unchanged = || (above.to_vec(), below.to_vec());
     let Some((first, rest)) = above.split_first() else {
-        return unchanged();
+        return (above.to_vec(), below.to_vec());
     };
     let ProductPart::Quotient(upper, lower) = first else {
-        return unchanged();
+        return (above.to_vec(), below.to_vec());
     };
     if rest.is_empty() || !is_number_fraction(first) {
-        return unchanged();
+        return (above.to_vec(), below.to_vec());
     }
     let upper = upper
         .iter()

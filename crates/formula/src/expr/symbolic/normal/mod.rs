@@ -340,11 +340,11 @@ impl Normal {
     /// Those of [`time_derivative`] and [`Self::of`].
     pub fn time_derivative(&self, moving: &BTreeSet<Name>) -> Result<Self, SymbolicError> {
         let moves = |name: &Name| name.as_str() == "t" || moving.contains(name);
-        let is_varying = |atom: &Atom| match atom {
+        let is_varying = self.atoms().any(|atom| match atom {
             Atom::Variable(own) => own.name.as_str() == "t" || own.order > 0 && !moves(&own.name),
             other => other.any_variable(&|own| own.order > 0 || moves(&own.name)),
-        };
-        if self.atoms().any(is_varying) {
+        });
+        if is_varying {
             let formula = self.to_expr(&Order::new());
             return Self::of(&time_derivative(&formula, moving)?);
         }
@@ -374,11 +374,11 @@ impl Normal {
         };
         let mut kept = Polynomial::default();
         for (monomial, coefficient) in &self.0.0 {
-            let is_hidden = |(atom, exponent): &(Atom, Rational)| match atom {
+            let is_hidden = monomial.0.iter().any(|(atom, exponent)| match atom {
                 Atom::Variable(own) => exponent.is_negative() && is_zero(own),
                 other => other.any_variable(is_zero),
-            };
-            if monomial.0.iter().any(is_hidden) {
+            });
+            if is_hidden {
                 return None;
             }
             if !monomial.0.iter().any(vanishes) {

@@ -176,7 +176,7 @@ fn binary(operator: Operator, left: Expr, right: Expr) -> Expr {
 
 /// The rank of a term by the part of it that moves.
 fn rank(part: &Monomial, order: &Order) -> Rank {
-    let height = |(atom, _): &(Atom, Rational)| {
+    let heights = part.0.iter().filter_map(|(atom, _)| {
         if let Atom::Variable(variable) = atom {
             let index = order.moving_index(&variable.name)?;
             return Some((Reverse(Some(variable.order)), index));
@@ -186,8 +186,8 @@ fn rank(part: &Monomial, order: &Order) -> Rank {
             .iter()
             .position(|name| atom.mentions(&BTreeSet::from([name.clone()])))?;
         Some((Reverse(Some(0)), index))
-    };
-    let highest = part.0.iter().filter_map(height).min();
+    });
+    let highest = heights.min();
     let (height, index) = highest.unwrap_or((Reverse(None), usize::MAX));
     let is_alone =
         matches!(part.0.as_slice(), [(Atom::Variable(_), exponent)] if *exponent == Rational::ONE);
@@ -488,8 +488,10 @@ fn unsigned(own: &Polynomial, written: Expr, writer: &NormalWriter<'_>) -> Expr 
     if !begins_with_sign(&written) {
         return written;
     }
-    let is_negative = |(_, coefficient): &(&Monomial, &Rational)| coefficient.is_negative();
-    let (negative, positive): (Vec<_>, Vec<_>) = own.0.iter().partition(is_negative);
+    let (negative, positive): (Vec<_>, Vec<_>) = own
+        .0
+        .iter()
+        .partition(|(_, coefficient)| coefficient.is_negative());
     if positive.is_empty() {
         return written;
     }
