@@ -53,10 +53,10 @@ impl<'a> Reader<'a> {
 
     /// Whether another entry comes after one, and not the end.
     fn goes_on(&mut self, end: u8) -> Option<bool> {
-        if self.take(b',') {
-            return Some(true);
-        }
-        self.take(end).then_some(false)
+        self.skip_spaces();
+        let byte = self.byte().filter(|byte| [b',', end].contains(byte))?;
+        self.at += 1;
+        Some(byte == b',')
     }
 
     fn members(&mut self, mut member: impl FnMut(&mut Self, &'a str) -> Option<()>) -> Option<()> {
@@ -166,31 +166,34 @@ impl<'a> Reader<'a> {
 
     /// A number, rounded once; none for an integer that binary64 does not hold, and for what is beyond its range.
     fn number(&mut self) -> Option<f64> {
-        let (start, is_negative) = (self.at, self.byte() == Some(b'-'));
-        self.at += usize::from(is_negative);
-        let (mut digits, first) = (0, self.byte());
-        let whole = self.digits(&mut digits);
-        if whole == 0 || whole > 1 && first == Some(b'0') {
+        let (bytes, start) = (self.text.as_bytes(), self.at);
+        let byte = |at: usize| bytes.get(at).copied();
+        let is_negative = byte(start) == Some(b'-');
+        let first = start + usize::from(is_negative);
+        let (mut at, mut digits) = appended_digits(bytes, first, 0);
+        let mut count = at - first;
+        if count == 0 || count > 1 && byte(first) == Some(b'0') {
             return None;
         }
-        let (mut decimals, mut exponent, mut is_integer) = (0, 0, true);
-        if self.byte() == Some(b'.') {
-            self.at += 1;
-            is_integer = false;
-            decimals = self.digits(&mut digits);
+        let (mut power, mut is_integer) = (0, true);
+        if byte(at) == Some(b'.') {
+            let before = at + 1;
+            (at, digits) = appended_digits(bytes, before, digits);
+            let decimals = at - before;
             if decimals == 0 {
                 return None;
             }
+            (power, is_integer) = (-(decimals as i64), false);
+            count += decimals;
         }
-        if matches!(self.byte(), Some(b'e' | b'E')) {
-            self.at += 1;
-            is_integer = false;
-            exponent = self.exponent()?;
+        if matches!(byte(at), Some(b'e' | b'E')) {
+            let (end, raised) = exponent(bytes, at + 1)?;
+            (at, power, is_integer) = (end, power + raised, false);
         }
-        let power = exponent - decimals as i64;
+        self.at = at;
         // Both are binary64 numbers, so that one operation rounds what they make rightly.
         let factor = POWERS.get(power.unsigned_abs() as usize);
-        if let Some(factor) = factor.filter(|_| whole + decimals < 19 && digits <= MAX_EXACT) {
+        if let Some(factor) = factor.filter(|_| count < 19 && digits <= MAX_EXACT) {
             let digits = digits as f64;
             let size = if power < 0 {
                 digits / factor
@@ -202,31 +205,31 @@ impl<'a> Reader<'a> {
         if is_integer {
             return None;
         }
-        let number = self.text[start..self.at].parse::<f64>().ok()?;
+        let number = self.text[start..at].parse::<f64>().ok()?;
         number.is_finite().then_some(number)
     }
+}
 
-    /// Appends the digits that stand here, of which the first eighteen count; how many stand here.
-    fn digits(&mut self, digits: &mut u64) -> usize {
-        let start = self.at;
-        while let Some(digit @ b'0'..=b'9') = self.byte() {
-            *digits = digits
-                .wrapping_mul(10)
-                .wrapping_add(u64::from(digit - b'0'));
-            self.at += 1;
-        }
-        self.at - start
+/// Appends the digits at a place to a number, of which the first eighteen count; where they end.
+fn appended_digits(bytes: &[u8], mut at: usize, mut number: u64) -> (usize, u64) {
+    while let Some(digit @ b'0'..=b'9') = bytes.get(at) {
+        number = number
+            .wrapping_mul(10)
+            .wrapping_add(u64::from(digit - b'0'));
+        at += 1;
     }
+    (at, number)
+}
 
-    /// An exponent of three digits at most, which is more than a number needs.
-    fn exponent(&mut self) -> Option<i64> {
-        let is_negative = self.byte() == Some(b'-');
-        self.at += usize::from(matches!(self.byte(), Some(b'-' | b'+')));
-        let mut digits = 0;
-        let count = self.digits(&mut digits);
-        let exponent = (1..=3).contains(&count).then_some(digits as i64)?;
-        Some(if is_negative { -exponent } else { exponent })
-    }
+/// Where an exponent ends that begins at a place, and which it is: of three digits at most, which is more than a number
+/// needs.
+fn exponent(bytes: &[u8], at: usize) -> Option<(usize, i64)> {
+    let sign = bytes.get(at).filter(|sign| b"+-".contains(sign));
+    let first = at + usize::from(sign.is_some());
+    let (end, size) = appended_digits(bytes, first, 0);
+    let size = (1..=3).contains(&(end - first)).then_some(size as i64)?;
+    let exponent = if sign == Some(&b'-') { -size } else { size };
+    Some((end, exponent))
 }
 
 /// Integers up to this are binary64 numbers.
