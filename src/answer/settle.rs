@@ -140,6 +140,20 @@ pub(crate) fn settle(
     }
 }
 
+/// The same by [`Rule::Stated`]: the reading is written out only where it is not right.
+pub(crate) fn settle_by_rule(
+    doubt: Doubt,
+    marking: Marking,
+    shown: impl FnOnce() -> String,
+    others: impl IntoIterator<Item = Candidate>,
+) -> Marking {
+    if marking.verdict == Verdict::Right {
+        return marking;
+    }
+    let shown = shown();
+    settle(doubt, Rule::Stated, Candidate { shown, marking }, others)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

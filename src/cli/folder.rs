@@ -110,7 +110,7 @@ impl Folder {
             draft,
             file: Some(BufWriter::with_capacity(1 << 16, file)),
             length: 0,
-            digest: Sha256::new(),
+            digest: Some(Sha256::new()),
             stays: false,
         })
     }
@@ -140,7 +140,7 @@ impl Folder {
             draft,
             file: Some(BufWriter::with_capacity(1 << 16, file)),
             length: left.length,
-            digest,
+            digest: Some(digest),
             stays: true,
         })
     }
@@ -257,15 +257,24 @@ pub(crate) struct Draft {
     draft: PathBuf,
     file: Option<BufWriter<fs::File>>,
     length: u64,
-    digest: Sha256,
+    /// None where nobody asks for it.
+    digest: Option<Sha256>,
     /// Whether it stays where it is when it is dropped unfinished, to be gone on with.
     stays: bool,
 }
 
 impl Draft {
+    /// The same for a file whose digest nobody asks for.
+    pub(crate) fn without_digest(mut self) -> Self {
+        self.digest = None;
+        self
+    }
+
     /// Writes a piece.
     pub(crate) fn write(&mut self, piece: &[u8]) -> Result<(), Failure> {
-        self.digest.update(piece);
+        if let Some(digest) = &mut self.digest {
+            digest.update(piece);
+        }
         self.length += piece.len() as u64;
         self.open().write_all(piece).map_err(unwritable(&self.path))
     }
@@ -298,7 +307,7 @@ impl Draft {
         files::read(&self.draft)
     }
 
-    /// Moves the file to its place; its digest is returned.
+    /// Moves the file to its place; its digest is returned, which is empty where nobody asks for it.
     pub(crate) fn finish(mut self) -> Result<String, Failure> {
         let file = self.file.take().expect("a draft is finished once");
         file.into_inner()
@@ -308,7 +317,8 @@ impl Draft {
             .and_then(|file| file.sync_data())
             .and_then(|()| fs::rename(&self.draft, &self.path))
             .map_err(unwritable(&self.path))?;
-        Ok(files::hexadecimal(self.digest.clone()))
+        let digest = self.digest.take();
+        Ok(digest.map_or_else(String::new, files::hexadecimal))
     }
 }
 

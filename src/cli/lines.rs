@@ -1,6 +1,7 @@
 //! Commands that answer line by line: one JSON object in, one out, in order.
 
-use std::io::{self, BufRead, Write};
+use std::borrow::Cow;
+use std::io::{self, BufRead, Read, Write};
 
 use super::{Failure, Outcome};
 
@@ -19,7 +20,11 @@ pub(crate) fn answer(mut reply: impl FnMut(&str) -> String) -> Result<Outcome, F
         {
             break;
         }
-        let text = String::from_utf8_lossy(&line);
+        // What is text, as all requests are, is not gone through piece by piece.
+        let text = match str::from_utf8(&line) {
+            Ok(text) => Cow::Borrowed(text),
+            Err(_) => String::from_utf8_lossy(&line),
+        };
         let text = text.trim_matches(['\r', '\n', '\u{feff}']);
         if text.trim().is_empty() {
             continue;
@@ -45,20 +50,12 @@ pub(crate) fn answer(mut reply: impl FnMut(&str) -> String) -> Result<Outcome, F
 
 /// Reads one line, keeping at most [`MAX_LENGTH`] bytes of it; `false` at the end.
 fn take(input: &mut impl BufRead, line: &mut Vec<u8>) -> io::Result<bool> {
-    let mut any = false;
-    loop {
-        let buffer = input.fill_buf()?;
-        if buffer.is_empty() {
-            return Ok(any);
-        }
-        any = true;
-        let end = buffer.iter().position(|byte| *byte == b'\n');
-        let taken = end.map_or(buffer.len(), |end| end + 1);
-        let room = MAX_LENGTH.saturating_sub(line.len());
-        line.extend_from_slice(&buffer[..taken.min(room)]);
-        input.consume(taken);
-        if end.is_some() {
-            return Ok(true);
-        }
+    let kept = input
+        .by_ref()
+        .take(MAX_LENGTH as u64)
+        .read_until(b'\n', line)?;
+    if kept == MAX_LENGTH && !line.ends_with(b"\n") {
+        input.skip_until(b'\n')?;
     }
+    Ok(kept > 0)
 }

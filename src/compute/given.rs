@@ -37,6 +37,10 @@ pub(crate) struct Object<'a> {
 }
 
 impl<'a> Object<'a> {
+    pub(crate) fn of(members: Vec<(Cow<'a, str>, GivenValue<'a>)>) -> Self {
+        Self { members }
+    }
+
     pub(crate) fn get(&self, name: &str) -> Option<&GivenValue<'a>> {
         let mut members = self.members.iter().rev();
         members.find(|(key, _)| key == name).map(|(_, value)| value)
@@ -110,7 +114,7 @@ impl<'a> Visitor<'a> for OfValue {
         while let Some((ObjectKey(key), value)) = entries.next_entry()? {
             members.push((key, value));
         }
-        Ok(GivenValue::Object(Object { members }))
+        Ok(GivenValue::Object(Object::of(members)))
     }
 }
 
@@ -336,7 +340,7 @@ impl<'a> Visitor<'a> for OfLine {
                 members.push((key, entries.next_value()?));
             }
         }
-        let rest = Object { members };
+        let rest = Object::of(members);
         Ok(RequestLine::Request { id, rest })
     }
 }

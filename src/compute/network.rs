@@ -55,8 +55,9 @@ fn link(entry: &[f64]) -> Option<Link> {
 }
 
 fn node(value: f64) -> Option<usize> {
-    let is_index = value == value.trunc() && (0.0..=1e9).contains(&value);
-    is_index.then_some(value as usize)
+    let index = value as u32;
+    let is_index = f64::from(index) == value && value <= 1e9;
+    is_index.then_some(index as usize)
 }
 
 /// A square matrix as a list of rows.

@@ -35,6 +35,10 @@ impl Writer for Html {
         format!("{MATHML_STYLE}{}", style())
     }
 
+    fn keeps_questions_together(&self) -> bool {
+        true
+    }
+
     fn words(&self, words: &str) -> String {
         let mut out = String::with_capacity(words.len());
         escape(&mut out, words);

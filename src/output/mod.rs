@@ -109,6 +109,12 @@ pub trait Writer: Sync {
         false
     }
 
+    /// Whether its layout of sheets keeps questions together on a page unless they are long, so that their heights are
+    /// estimated.
+    fn keeps_questions_together(&self) -> bool {
+        false
+    }
+
     /// Whether the format comes from a press, in whole or for its figures.
     fn needs_press(&self) -> bool {
         self.is_bound()

@@ -351,13 +351,16 @@ impl<'p> View<'p> {
             .within(scope)
             .spoken(self.run.spoken());
         let mut view = self.shown(&scene, question);
-        let size = sheet.student.as_ref().and_then(|student| student.type_size);
-        let long = if question.number == 1 {
-            LONG_FIRST
-        } else {
-            LONG
-        };
-        view.is_long = view.height() > size.map_or(long, |size| long * USUAL / usize::from(size));
+        if self.kind == PageKind::Sheet && self.writer.keeps_questions_together() {
+            let size = sheet.student.as_ref().and_then(|student| student.type_size);
+            let long = if question.number == 1 {
+                LONG_FIRST
+            } else {
+                LONG
+            };
+            let long = size.map_or(long, |size| long * USUAL / usize::from(size));
+            view.is_long = view.height() > long;
+        }
         view
     }
 

@@ -179,7 +179,6 @@ pub(crate) fn begins_run(char: char) -> bool {
         let (mut mask, mut at) = (0, 0);
         while at < RUNS.len() {
             let first = RUNS[at].0.as_bytes()[0];
-            // Those beyond ASCII are looked at one by one.
             if first.is_ascii() {
                 mask |= 1 << first;
             }
@@ -187,7 +186,25 @@ pub(crate) fn begins_run(char: char) -> bool {
         }
         mask
     };
-    !char.is_ascii() || FIRST >> u32::from(char) & 1 == 1
+    // Beyond ASCII, by the last one of the bytes of the character: letters with the first byte of a sign are common.
+    const LAST: u64 = {
+        let (mut mask, mut at) = (0_u64, 0);
+        while at < RUNS.len() {
+            let run = RUNS[at].0.as_bytes();
+            if !run[0].is_ascii() {
+                let length = run[0].leading_ones() as usize;
+                mask |= 1 << (run[length - 1] & 0x3f);
+            }
+            at += 1;
+        }
+        mask
+    };
+    let place = u32::from(char);
+    if char.is_ascii() {
+        FIRST >> place & 1 == 1
+    } else {
+        LAST >> (place & 0x3f) & 1 == 1
+    }
 }
 
 /// Quotation marks and other pairs that people set around a whole answer.

@@ -9,7 +9,7 @@ use super::root::without_roots;
 use super::rows::Rows;
 use super::system::System;
 use super::{Arc, Setup, read, told, written};
-use crate::answer::settle::{Candidate, Rule, settle};
+use crate::answer::settle::{Candidate, settle_by_rule};
 use crate::answer::{
     Beside, Credit, Doubt, Echo, Equations, Key, Marker, Marking, Misfit, Nature, Note, Reading,
     Remark, Slip, Trial, Unreadable, Verdict, Why,
@@ -203,8 +203,9 @@ impl Marker for Prepared {
         };
         // Looked for only where the conventional reading is not right.
         let readings = std::iter::once_with(|| read::others(setup, response, &equations)).flatten();
-        let first = candidate(equations.clone());
-        let marking = settle(self.doubt, Rule::Stated, first, readings.map(candidate));
+        let first = self.judged(equations.clone(), others);
+        let written = || written(&equations);
+        let marking = settle_by_rule(self.doubt, first, written, readings.map(candidate));
         if marking.verdict == Verdict::Right {
             return marking;
         }

@@ -4,7 +4,7 @@
 //! that differ in all unknowns and in time. An equation follows from others, with factors made of data,
 //! if its row is a combination of theirs; random points tell different functions apart.
 
-use crate::expr::{Approx, Precise, Program, Registers};
+use crate::expr::{Precise, Program};
 
 /// A rest below this part of a row is rounding.
 const ROUNDING: f64 = 1e-11;
@@ -104,14 +104,10 @@ fn rows(programs: &[&Program], points: &[Vec<Precise>]) -> Option<Vec<ScaledRow>
 }
 
 fn row(program: &Program, points: &[Vec<Precise>]) -> Option<ScaledRow> {
-    let mut room = Registers::<Approx<f64>>::default();
-    let (mut values, mut bound) = (Vec::with_capacity(points.len()), 0.0_f64);
-    for point in points {
-        let outcome = program.run(&point[..], &mut room).ok()?;
-        let value = outcome.numbers().next()?;
-        values.push(value.value);
-        bound = bound.max(value.bound);
-    }
+    let points: Vec<&[Precise]> = points.iter().map(Vec::as_slice).collect();
+    let found = program.sweep(program.slots()).doubles(&points).ok()?;
+    let mut values: Vec<f64> = found.iter().map(|own| own.value).collect();
+    let bound = found.iter().fold(0.0_f64, |most, own| most.max(own.bound));
     let largest = values
         .iter()
         .fold(0.0_f64, |largest, value| largest.max(value.abs()));

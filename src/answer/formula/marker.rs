@@ -6,7 +6,7 @@ use std::sync::Arc;
 use super::Setup;
 use super::slip::slip;
 use crate::answer::equality::{Comparable, Comparison, Points};
-use crate::answer::settle::{Candidate, Rule, settle};
+use crate::answer::settle::{Candidate, settle_by_rule};
 use crate::answer::{
     Answered, Close, Credit, Doubt, Echo, Key, Marker, Marking, Misfit, Nature, Note, Reading,
     Reason, Remark, Slip, Trial, Unreadable, Verdict, Why,
@@ -54,12 +54,9 @@ impl Prepared {
             shown: self.setup.lexicon.written(&read.expr),
             marking: self.judged(&read),
         };
-        let marking = settle(
-            self.doubt,
-            Rule::Stated,
-            candidate(first),
-            readings.map(candidate),
-        );
+        let written = || self.setup.lexicon.written(&first.expr);
+        let marking = self.judged(&first);
+        let marking = settle_by_rule(self.doubt, marking, written, readings.map(candidate));
         Ok(match marking.verdict {
             Verdict::Right if self.contradicts_itself(response) => match marking.reading {
                 Some(reading) => Marking::wrong(reading, Remark::from(Slip::UnequalSides)),

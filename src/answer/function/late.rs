@@ -12,6 +12,8 @@
 //! Its tolerance is derived as that of the values is. A key in pieces is not compared beyond its span, where the
 //! response need not hold.
 
+use std::sync::OnceLock;
+
 use super::SAMPLES;
 use super::samples::{fine, samples};
 use crate::answer::Tolerance;
@@ -103,12 +105,21 @@ impl OnSpan<'_> {
         windows
     }
 
-    /// Whether a datum shows on the span.
+    /// Whether a datum shows on the span. Most do at any time, so that one is looked at before all others.
     fn shows(&self, datum: NodeId) -> bool {
-        let every = |place: &usize| place % STRIDE == STRIDE / 2;
-        let places: Vec<usize> = (0..self.times.len()).filter(every).collect();
+        let Some(evaluation) = self.beside(datum) else {
+            return true;
+        };
+        let places = (STRIDE / 2..self.times.len()).step_by(STRIDE);
+        let places: Vec<usize> = places.collect();
+        let (first, rest) = places.split_at(places.len().min(1));
+        self.shows_at(&evaluation, first) || self.shows_at(&evaluation, rest)
+    }
+
+    /// Whether other values of the key differ from its own at one of these times, or are none.
+    fn shows_at(&self, evaluation: &Evaluation<'_>, places: &[usize]) -> bool {
         let times: Vec<Precise> = places.iter().map(|place| self.times[*place]).collect();
-        let Some(moved) = self.moved(datum, &times) else {
+        let Ok(moved) = samples(evaluation, self.key, &times, self.fine()) else {
             return true;
         };
         places.iter().zip(moved).any(|(place, moved)| {
@@ -176,24 +187,36 @@ impl OnSpan<'_> {
 
     /// The values of the key where a datum or step is a little larger; `None` where it is zero or no number.
     fn moved(&self, node: NodeId, times: &[Precise]) -> Option<Vec<f64>> {
+        samples(&self.beside(node)?, self.key, times, self.fine()).ok()
+    }
+
+    /// The data with a datum or step a little larger; `None` where it is zero or no number.
+    fn beside(&self, node: NodeId) -> Option<Evaluation<'_>> {
         let given = self.evaluation.real(node).ok().filter(|own| *own != 0.0)?;
         let moved = Value::real(given * (1.0 + STEP), 0.0);
-        let evaluation = self.evaluation.replacing(vec![(node, moved)]);
-        samples(&evaluation, self.key, times, self.fine()).ok()
+        Some(self.evaluation.replacing(vec![(node, moved)]))
     }
+}
+
+/// The weights of Hann at the times of a window.
+fn weights() -> &'static [f64; SAMPLES] {
+    static WEIGHTS: OnceLock<[f64; SAMPLES]> = OnceLock::new();
+    let weight = |place: usize| {
+        let share = (place as f64 + 0.5) / SAMPLES as f64;
+        let root = sin(std::f64::consts::PI * share);
+        root * root
+    };
+    WEIGHTS.get_or_init(|| std::array::from_fn(weight))
 }
 
 /// The root mean square of a function under a Hann weight.
 fn size(values: &[f64]) -> f64 {
-    let (mut sum, mut weights) = (0.0, 0.0);
-    for (place, value) in values.iter().enumerate() {
-        let share = (place as f64 + 0.5) / SAMPLES as f64;
-        let weight = sin(std::f64::consts::PI * share);
-        let weight = weight * weight;
+    let (mut sum, mut all) = (0.0, 0.0);
+    for (weight, value) in weights().iter().zip(values) {
         sum += weight * value * value;
-        weights += weight;
+        all += weight;
     }
-    (sum / weights).sqrt()
+    (sum / all).sqrt()
 }
 
 /// Whether a function is another one in different pieces of its variable.

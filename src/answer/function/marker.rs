@@ -12,7 +12,7 @@ use super::read::{bare, read};
 use super::samples::{fine, rounding, samples};
 use super::slip::slip;
 use crate::answer::meaning::ORDERS;
-use crate::answer::settle::{Candidate, Rule, settle};
+use crate::answer::settle::{Candidate, settle_by_rule};
 use crate::answer::trial::typed as typed_number;
 use crate::answer::{
     Close, Credit, Doubt, Key, Marker, Marking, Misfit, Mistaken, Nature, Reading, Remark, Slip,
@@ -269,7 +269,9 @@ impl Marker for Prepared<'_> {
                     marking: self.judged(response),
                 };
                 let others = others.map(|other| candidate(bare(self, other)));
-                settle(self.doubt, Rule::Stated, candidate(response), others)
+                let read = response.expr.clone();
+                let written = || self.setup.lexicon.written(&read);
+                settle_by_rule(self.doubt, self.judged(response), written, others)
             }
             Err(why) => Marking::unreadable(why),
         }

@@ -178,7 +178,9 @@ fn function(key: &Prepared<'_>, typed: Passage<'_>) -> Result<Response, Unreadab
         Ok(read) => {
             let all = read.clone();
             let expr = of_right_dimension(key, read);
-            let unit = with_unit(key, typed).filter(|_| key.has_data(&expr));
+            // A function of numbers is read with its units only where its letters may be some.
+            let with_unit = || with_unit(key, typed);
+            let unit = key.has_data(&expr).then(with_unit).flatten();
             match unit {
                 Some(Ok(_)) if has_dimension(key, &expr) => Err(Why::UnitOrQuantity.into()),
                 Some(read) if !has_dimension(key, &expr) => read,

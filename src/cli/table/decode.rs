@@ -139,12 +139,17 @@ fn windows(bytes: &[u8]) -> Result<Decoded, NoText> {
 /// A text with each accent in one character with its letter. Some systems save `é` as `e` and an accent: the same id
 /// from two files would be two students.
 pub(crate) fn composed(text: String) -> String {
-    if is_nfc(&text) {
+    // Nothing composes across the end of a line, and with one mark in a text all of it would be composed to compare.
+    let is_composed = |line: &str| line.bytes().all(|byte| byte < FIRST_MARK) || is_nfc(line);
+    if text.split_inclusive('\n').all(is_composed) {
         text
     } else {
         text.nfc().collect()
     }
 }
+
+/// The first byte of U+0300, below which no character goes together with another one.
+const FIRST_MARK: u8 = 0xcc;
 
 /// The line of a byte.
 fn line(bytes: &[u8], at: usize) -> usize {
@@ -181,6 +186,20 @@ mod tests {
         // By the table of the code page: é E9, Œ 8C, ü FC, ß DF.
         let windows = b"id;name\r\n1;Zo\xe9 \x8cuvr\xe9\r\n2;J\xfcrgen Stra\xdfe\r\n";
         assert_eq!(read(windows), (LIST.to_owned(), true));
+    }
+
+    #[test]
+    fn accents_are_composed_in_whatever_line_they_stand() {
+        for (typed, meant) in [
+            ("Zoe\u{301}\nJürgen\n", "Zoé\nJürgen\n"),
+            ("a\nZoe\u{301}", "a\nZoé"),
+            ("θ\u{307}\nω₁ = 5", "θ\u{307}\nω₁ = 5"),
+            // The mark after a line belongs to nothing in it.
+            ("e\n\u{301}", "e\n\u{301}"),
+            ("\u{212b}", "Å"),
+        ] {
+            assert_eq!(composed(typed.to_owned()), meant, "{typed:?}");
+        }
     }
 
     #[test]

@@ -10,8 +10,6 @@
 //! Ogita, Aishima, Japan J. Indust. Appl. Math. 35 (2018) 1007. Ozaki, Ogita, Oishi, Rump, Numer. Algorithms 59 (2012) 95
 //! (splitting).
 
-use nalgebra::DMatrix;
-
 use super::system::{Inertia, System};
 use super::{Modes, is_reversed};
 use crate::numerics::product::product;
@@ -188,9 +186,12 @@ impl Scaled {
             )
         };
         let stiffness = system.exact_stiffness_matrix();
-        let largest = DMatrix::from_fn(size, size, |i, j| scale(i, j, 0, stiffness[(i, j)]))
-            .iter()
-            .fold(0.0_f64, |largest, x| largest.max(x.hi().abs()));
+        let columns = stiffness.as_slice().chunks_exact(size).zip(&exponents);
+        let scaled = columns.flat_map(|(column, exponent)| {
+            let entries = column.iter().zip(&exponents);
+            entries.map(move |(x, other)| scale_by_power_of_two(x.hi(), exponent + other))
+        });
+        let largest = scaled.fold(0.0_f64, |largest, x| largest.max(x.abs()));
         if largest == 0.0 || !largest.is_finite() {
             return None;
         }

@@ -92,7 +92,7 @@ fn of_any(masses: &[f64], springs: &[Link]) -> Option<ModalBasis> {
 /// `M^(-1/2) K M^(-1/2)`.
 fn weighted_matrix(masses: &[f64], springs: &[Link]) -> Vec<f64> {
     let size = masses.len();
-    let mut matrix = DMatrix::zeros(size, size);
+    let mut matrix = DMatrix::<f64>::zeros(size, size);
     for spring in springs {
         spring.stamp(spring.coefficient / masses[0], &mut matrix);
     }

@@ -99,9 +99,9 @@ impl Link {
     }
 
     /// Adds the element to a symmetric matrix.
-    pub(crate) fn stamp<T: Copy + std::ops::AddAssign + std::ops::Neg<Output = T>>(
+    pub(crate) fn stamp<T: Copy + std::ops::AddAssign<f64>>(
         &self,
-        value: T,
+        value: f64,
         matrix: &mut DMatrix<T>,
     ) {
         let nodes = self.ends.map(|node| node.checked_sub(1));
@@ -303,7 +303,7 @@ impl Inertia {
 pub(crate) fn assembled(links: &[Link], size: usize) -> DMatrix<Dd> {
     let mut matrix = DMatrix::from_element(size, size, Dd::ZERO);
     for link in links {
-        link.stamp(Dd::from(link.coefficient), &mut matrix);
+        link.stamp(link.coefficient, &mut matrix);
     }
     matrix
 }

@@ -8,7 +8,7 @@ use super::instruction::{Instruction, ProgramStep};
 use super::lanes::ProgramLanes;
 use super::machine::{Machine, weight};
 use super::{Absence, Inputs, Outcome, Program, Registers};
-use crate::expr::{Approx, Doubt, Scalar};
+use crate::expr::{Approx, Doubt, Scalar, Undefined};
 use crate::work;
 use vibank_dynamics::numerics::Dd;
 
@@ -111,6 +111,38 @@ impl Sweep<'_> {
             let double = Ok(Outcome::of_one(number, is_open));
             let wide = &mut self.wide;
             all.push(program.real(accuracy, double, move || wide.run(program, varied, own))?);
+        }
+        Ok(all)
+    }
+}
+
+impl Sweep<'_> {
+    /// The real numbers for each of these inputs in binary64 alone, each with the bound on its error that it has there.
+    ///
+    /// # Errors
+    ///
+    /// The operation that has no value, for the first inputs that have one; a program that computes anything but one real
+    /// number or truth is [`Undefined::NotReal`].
+    pub fn doubles<I>(&mut self, inputs: &[I]) -> Result<Vec<Approx<f64>>, Absence>
+    where
+        I: Inputs<Approx<f64>>,
+    {
+        let (program, varied) = (self.program, &self.varied);
+        let [result] = program.results[..] else {
+            let (reason, span) = (Undefined::NotReal, program.span());
+            return Err(Absence { reason, span });
+        };
+        let mut all = Vec::with_capacity(inputs.len());
+        let Some((first, rest)) = inputs.split_first() else {
+            return Ok(all);
+        };
+        all.extend(self.double.run(program, varied, first)?.numbers());
+        if let Some(lanes) = self.double.lanes(program, rest) {
+            all.extend((0..rest.len()).map(|place| *lanes.at(result, place).0));
+            return Ok(all);
+        }
+        for own in rest {
+            all.extend(self.double.run(program, varied, own)?.numbers());
         }
         Ok(all)
     }
