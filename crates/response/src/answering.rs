@@ -19,8 +19,8 @@ pub(crate) fn answering<'t>(text: &'t str, answers: impl Fn(Passage<'t>) -> bool
     let all = statements_by(&text[start..], |rest| {
         word_at(rest).or_else(|| condition_at(rest)).or_else(|| {
             // `x1 : x2 = 1 : 2` is a ratio.
-            let before = &text[start..text.len() - rest.len()];
-            conclusion_at(rest).filter(|_| before.contains('='))
+            let before = text.get(start..text.len() - rest.len());
+            conclusion_at(rest).filter(|_| before.is_none_or(|before| before.contains('=')))
         })
     });
     let all: Vec<Span> = all.into_iter().map(|own| moved(own, start)).collect();

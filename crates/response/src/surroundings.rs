@@ -3,7 +3,6 @@
 mod after;
 mod around;
 mod before;
-mod circumstance;
 mod numbered;
 
 use std::ops::Range;
@@ -11,7 +10,6 @@ use std::ops::Range;
 use self::after::trail;
 use self::around::{bracketed, fence, program, quotes};
 use self::before::{bullet, definition, described, lead, named_equation, remark_before};
-use self::circumstance::circumstance;
 pub(crate) use self::numbered::enumeration;
 use self::numbered::number_of_item;
 use super::words::WITHDRAWALS;
@@ -34,7 +32,6 @@ pub(crate) fn answer_in(typed: &str) -> Range<usize> {
             .or_else(|| number_of_item(text))
             .map(|length| own.start + length..own.end)
             .or_else(|| trail(text).map(|length| own.start..own.end - length))
-            .or_else(|| circumstance(text).map(|length| own.start..own.end - length))
             .or_else(|| quotes(text).map(|(open, close)| own.start + open..own.end - close))
             .or_else(|| fence(text).map(|(open, close)| own.start + open..own.end - close))
             .or_else(|| program(text).map(|(open, close)| own.start + open..own.end - close))

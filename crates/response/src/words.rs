@@ -769,12 +769,6 @@ pub(crate) const RATES: &[CustomaryRates] = &[
     (&["q"], &[("i", 1)]),
 ];
 
-/// Words before what says when or where an answer holds, `at x = 0`.
-pub(crate) const CIRCUMSTANCES: &[&str] = &[
-    "at", "for", "when", "whenever", "where", "if", "bei", "für", "wenn", "wo", "pour", "quand",
-    "à", "en",
-];
-
 /// Words after a formula that say by what method it was found, or how far.
 pub(crate) const METHODS: &[&str] = &[
     "lagrange",

@@ -153,7 +153,7 @@ fn is_unit_again(before: &str, unit: &str) -> bool {
 }
 
 /// Whether a text ends in a number, perhaps with a unit after a space.
-pub(crate) fn ends_in_value(text: &str) -> bool {
+fn ends_in_value(text: &str) -> bool {
     let is_number =
         |text: &str| text.ends_with(|last: char| last.is_ascii_digit() || "°%".contains(last));
     is_number(text)
