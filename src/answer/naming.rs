@@ -227,7 +227,9 @@ impl Naming {
     fn is_of_another(&self, label: Passage<'_>) -> bool {
         let bare = label.without_frame();
         match self.reads(bare).as_ref().map(expr::Expr::kind) {
-            Some(expr::Kind::Name(name)) => self.others.contains(name),
+            Some(expr::Kind::Name(name)) => {
+                self.others.contains(name) && !self.is_letter_of_matrix(bare)
+            }
             // `K^2`
             Some(_) if self.is_matrix => true,
             // `u^{(2)}` is the shape of that mode.
@@ -242,6 +244,15 @@ impl Naming {
                 customary.any(|letter| bare.has_letter(letter)) || self.is_made_of_asked(bare)
             }
         }
+    }
+
+    /// Whether a label is the letter of the matrix that is asked, `K` for K_θ, whatever else has that letter.
+    fn is_letter_of_matrix(&self, label: Passage<'_>) -> bool {
+        let is_own = |letter: &&str| {
+            let mut asked = self.asked.iter();
+            label.is(letter) && asked.any(|name| name.as_str().starts_with(**letter))
+        };
+        self.is_matrix && MATRICES.iter().any(|letter| is_own(&letter))
     }
 
     /// Whether what is asked has this number in its name, or none.

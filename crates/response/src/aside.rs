@@ -4,6 +4,7 @@
 use super::letters::greek_word;
 use super::signs::is_apostrophe;
 use super::words::{CONDITIONS, DENIALS, METHODS, SOURCES, TURNING};
+use vibank_formula::unit::Unit;
 use vibank_source::lower;
 
 /// What comes before the words, the condition or the remark in brackets after a formula; none where a word denies or turns
@@ -12,7 +13,10 @@ pub(crate) fn before(text: &str) -> Option<&str> {
     let text = text.trim_end_matches(['.', '!', ' ']);
     let bracketed = || {
         let (before, said) = text.strip_suffix(')')?.rsplit_once(" (")?;
-        is_aside(said).then_some(before)
+        // `… = 0 (in N)`, `… = 0 (EOM)`
+        let unit = said.strip_prefix("in ").unwrap_or(said);
+        let is_named = before.contains('=') && (said == "EOM" || Unit::read(unit).is_ok());
+        (is_named || is_aside(said)).then_some(before)
     };
     let behind_comma = || {
         let (before, said) = text.rsplit_once(", ")?;
@@ -95,6 +99,8 @@ mod tests {
             ("x'' + x = 0 Lagrange", Some("x'' + x = 0")),
             ("x'' + x = 0 banana", None),
             ("2 cos(5 t) for t < 0", None),
+            ("x'' + x = 0 (in N)", Some("x'' + x = 0")),
+            ("k x (N)", None),
             ("L/2, half the column", None),
             ("m g (upwards)", None),
             ("m g (not uniform)", None),

@@ -116,6 +116,7 @@ impl Lexer<'_> {
             || self.product_by_point(char)
             || self.unknown_time(char)
             || self.times_before_power_of_ten(char)
+            || self.times_as_letter(char)
             || self.base_of_exponential(char)
         {
             return Ok(());
@@ -212,6 +213,20 @@ impl Lexer<'_> {
         let is_it = matches!(char, 'x' | 'X')
             && is_behind_number
             && self.rest()[1..].trim_start().starts_with("10^");
+        if is_it {
+            self.take(1, Item::Sign('*'));
+        }
+        is_it
+    }
+
+    /// `2 x m x R^2`, where x is no letter of the answer; whether the sign of times stands here as a letter.
+    fn times_as_letter(&mut self, char: char) -> bool {
+        let rest = self.rest();
+        let is_it = char == 'x'
+            && self.is_spaced
+            && !self.tokens.is_empty()
+            && rest[1..].starts_with(' ')
+            && !self.lexicon.knows("x");
         if is_it {
             self.take(1, Item::Sign('*'));
         }
@@ -575,8 +590,12 @@ impl Lexer<'_> {
         if !self.manner.is_in_any_case || !is_capital || !(is_first() || is_shouted()) {
             return None;
         }
-        let is_there =
-            |name: &str| self.text[..start].contains(name) || self.text[end..].contains(name);
+        let is_there = |piece: &WordPiece, name: &str| {
+            let typed = &self.text[piece.start..piece.end];
+            let elsewhere = [&self.text[..start], &self.text[end..]];
+            typed.starts_with(char::is_uppercase)
+                && elsewhere.iter().any(|text| text.contains(name))
+        };
         self.lexicon
             .split_in_any_case(letters, end, primes, is_there)
     }
@@ -589,7 +608,9 @@ impl Lexer<'_> {
         start: usize,
         end: usize,
     ) -> Option<(Vec<WordPiece>, u8)> {
-        const INDICES: [(&str, &str, u8); 5] = [
+        const INDICES: [(&str, &str, u8); 7] = [
+            ("_dd", "dd", 2),
+            ("_d", "d", 1),
             ("_tt", "tt", 2),
             ("_{tt}", "tt", 2),
             ("_t", "t", 1),

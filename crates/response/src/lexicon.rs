@@ -246,14 +246,14 @@ impl Lexicon {
         letters: &Letters,
         end: usize,
         primes: u8,
-        is_there: impl Fn(&str) -> bool,
+        is_there: impl Fn(&WordPiece, &str) -> bool,
     ) -> Option<Vec<WordPiece>> {
         let words = || Words::in_any_case(&self.entries);
         let words = self.in_any_case.get_or_init(words);
         let pieces = words.split(letters, end, primes, false).ok()?;
         let is_other = |piece: &WordPiece| match &piece.sense {
             WordSense::Leaf(leaf) => match leaf.kind() {
-                Kind::Name(name) => is_there(&self.typable(name)),
+                Kind::Name(name) => is_there(piece, &self.typable(name)),
                 _ => false,
             },
             _ => false,

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use super::letters::{Letters, combining, dotted};
+use super::letters::{Letters, combining, dotted, greek_word};
 use super::lexicon::LexiconEntry;
 use super::near::typable;
 use super::words::VELOCITIES;
@@ -222,7 +222,12 @@ impl Words {
             for spelling in spellings.into_iter().flatten() {
                 let mut chars = spelling.chars();
                 let first = chars.next().unwrap_or_default();
-                let is_letter = chars.as_str().bytes().all(|byte| byte.is_ascii_digit());
+                // Capitals that mean something else in this field, and those of the constants.
+                const OTHERS: [&str; 5] = ["omega", "delta", "sigma", "gamma", "pi"];
+                let stem = spelling.trim_end_matches(|last: char| last.is_ascii_digit());
+                let is_greek = greek_word(stem).is_some() && !OTHERS.contains(&stem);
+                let is_index = || chars.as_str().bytes().all(|byte| byte.is_ascii_digit());
+                let is_letter = is_greek || is_index();
                 let other = if first.is_ascii_uppercase() {
                     first.to_ascii_lowercase()
                 } else {
@@ -398,6 +403,13 @@ impl Words {
             varied.any(|letter| printed.starts_with(letter))
         });
         let varied = varied.map(|printed| format!("var{printed}"));
+        // `EA` for AE, two letters that are one name.
+        let turned = match own.as_bytes() {
+            [a, b] if a.is_ascii_uppercase() && b.is_ascii_uppercase() => {
+                Some([*b, *a].map(char::from).into_iter().collect::<String>())
+            }
+            _ => None,
+        };
         // `Dm` and `delta_m` for Δm.
         let difference = |letter: &str| {
             let rest = printed.as_deref()?.strip_prefix("Delta")?;
@@ -416,6 +428,7 @@ impl Words {
             varied,
             difference,
             small,
+            turned,
         ];
         for spelling in others.into_iter().flatten() {
             if spelling != own && !self.is_taken(&spelling) {

@@ -188,6 +188,7 @@ pub(crate) const VERBS: &[&str] = &[
 /// What is said before an answer and is not part of it, in any case.
 pub(crate) const LEADS: &[&str] = &[
     "the final answer is",
+    "the formula is",
     "the correct answer is",
     "the general solution is",
     "general solution",
@@ -733,6 +734,7 @@ pub(crate) const CONCLUSIONS: &[&str] = &[
 pub(crate) const STATEMENTS: &[&str] = &[
     "with",
     "where",
+    "at",
     "for",
     "if",
     "when",
