@@ -15,13 +15,14 @@ pub(crate) fn answering<'t>(text: &'t str, answers: impl Fn(Passage<'t>) -> bool
     if is_open {
         return None;
     }
+    // `x1 : x2 = 1 : 2` is a ratio.
+    let mut colon = text.split(':');
+    let is_led = colon.next().is_some_and(|before| before.contains('='));
     let start = text.len() - text.strip_prefix("with ").unwrap_or(text).len();
     let all = statements_by(&text[start..], |rest| {
-        word_at(rest).or_else(|| condition_at(rest)).or_else(|| {
-            // `x1 : x2 = 1 : 2` is a ratio.
-            let before = text.get(start..text.len() - rest.len());
-            conclusion_at(rest).filter(|_| before.is_none_or(|before| before.contains('=')))
-        })
+        word_at(rest)
+            .or_else(|| condition_at(rest))
+            .or_else(|| conclusion_at(rest).filter(|_| is_led || !rest.starts_with(':')))
     });
     let all: Vec<Span> = all.into_iter().map(|own| moved(own, start)).collect();
     if all.len() < 2 {
@@ -93,6 +94,10 @@ mod tests {
             ("3 N/m (T = 4 s)", Some("3 N/m")),
             ("k = 3 N/m at x = 0", Some("k = 3 N/m")),
             ("V = 3 N/m at x = 0", Some("V = 3 N/m")),
+            ("=aω;π", None),
+            ("ω = 9; k = 3 N/m", Some("k = 3 N/m")),
+            ("ω = 9; ω = 10", None),
+            ("x1 : k = 3 : 4", None),
             ("k = 3 N/m, k = 4 N/m", None),
             ("k = 3 N/m or K = 4 N/m", None),
             ("K = 3 N/m, T = 4 s", None),

@@ -219,6 +219,10 @@ impl Phrase {
 
     /// The phrases that signs, `and` and `&` part; the words where nothing does.
     pub fn parts(&self) -> Vec<Self> {
+        // `above` that begins words has become a sign.
+        if self.typed.trim_start().starts_with(['<', '>', '≤', '≥']) {
+            return vec![self.clone()];
+        }
         let parts = self.typed.split([',', ';', '>', '→', '\n']);
         let parts = parts.flat_map(|part| part.split(" - "));
         let parts = parts.flat_map(|part| part.split(" and "));
