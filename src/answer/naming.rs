@@ -248,11 +248,11 @@ impl Naming {
 
     /// Whether a label is the letter of the matrix that is asked, `K` for K_θ, whatever else has that letter.
     fn is_letter_of_matrix(&self, label: Passage<'_>) -> bool {
-        let is_own = |letter: &&str| {
+        let is_own = |letter: &str| {
             let mut asked = self.asked.iter();
-            label.is(letter) && asked.any(|name| name.as_str().starts_with(**letter))
+            label.is(letter) && asked.any(|name| name.as_str().starts_with(letter))
         };
-        self.is_matrix && MATRICES.iter().any(|letter| is_own(&letter))
+        self.is_matrix && MATRICES.into_iter().any(is_own)
     }
 
     /// Whether what is asked has this number in its name, or none.

@@ -590,14 +590,7 @@ impl Lexer<'_> {
         if !self.manner.is_in_any_case || !is_capital || !(is_first() || is_shouted()) {
             return None;
         }
-        let is_there = |piece: &WordPiece, name: &str| {
-            let typed = &self.text[piece.start..piece.end];
-            let elsewhere = [&self.text[..start], &self.text[end..]];
-            typed.starts_with(char::is_uppercase)
-                && elsewhere.iter().any(|text| text.contains(name))
-        };
-        self.lexicon
-            .split_in_any_case(letters, end, primes, is_there)
+        self.lexicon.split_in_any_case(letters, end, primes)
     }
 
     /// The words of a run that ends in a rate by its index, `x_t`, `x_{tt}`, or by a letter for the prime, `c*xp`, and

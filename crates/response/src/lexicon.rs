@@ -5,7 +5,7 @@ use std::sync::{Arc, OnceLock};
 
 use super::letters::Letters;
 use super::near::typable;
-use super::vocabulary::{WordPiece, WordSense, Words};
+use super::vocabulary::{WordPiece, Words};
 use super::{Manner, Trouble};
 use vibank_formula::expr::{Expr, Kind, Name, Notation, Substitution, Symbol};
 use vibank_notation::{Math, symbol};
@@ -239,26 +239,16 @@ impl Lexicon {
         self.words().split(letters, end, primes, has_bracket)
     }
 
-    /// The words of a run that has a letter in the other case, `K1` for k1, which `is_there` in its own case nowhere
-    /// else: who types both means two things.
+    /// The words of a run whose letters may be in the other case, `K1` for k1.
     pub(crate) fn split_in_any_case(
         &self,
         letters: &Letters,
         end: usize,
         primes: u8,
-        is_there: impl Fn(&WordPiece, &str) -> bool,
     ) -> Option<Vec<WordPiece>> {
         let words = || Words::in_any_case(&self.entries);
         let words = self.in_any_case.get_or_init(words);
-        let pieces = words.split(letters, end, primes, false).ok()?;
-        let is_other = |piece: &WordPiece| match &piece.sense {
-            WordSense::Leaf(leaf) => match leaf.kind() {
-                Kind::Name(name) => is_there(piece, &self.typable(name)),
-                _ => false,
-            },
-            _ => false,
-        };
-        (!pieces.iter().any(is_other)).then_some(pieces)
+        words.split(letters, end, primes, false).ok()
     }
 }
 
