@@ -223,6 +223,7 @@ impl Lexer<'_> {
     fn times_as_letter(&mut self, char: char) -> bool {
         let rest = self.rest();
         let is_it = char == 'x'
+            && self.manner.values.is_none()
             && self.is_spaced
             && !self.tokens.is_empty()
             && rest[1..].starts_with(' ')

@@ -234,7 +234,7 @@ impl Words {
                     first.to_ascii_uppercase()
                 };
                 let word = format!("{other}{}", chars.as_str());
-                if !is_letter || OWN_SENSE.contains(&first) || self.knows(&word) {
+                if !is_letter || !is_greek && OWN_SENSE.contains(&first) || self.knows(&word) {
                     continue;
                 }
                 self.add(&word, WordSense::Leaf(Expr::name(name.clone())), 0);

@@ -145,7 +145,8 @@ pub(crate) fn bullet(text: &str) -> Option<usize> {
         return length(behind);
     }
     if let Some(behind) = BULLETS.iter().find_map(|mark| text.strip_prefix(mark)) {
-        return length(behind);
+        // `* *` are signs of times.
+        return length(behind).filter(|_| !behind.trim_start().starts_with(['*', '/', '^']));
     }
     if let Some(behind) = text.strip_prefix("- ") {
         let is_set_apart = ["**", "__", "$", "\\(", "`"]
