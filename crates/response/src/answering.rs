@@ -4,7 +4,7 @@
 use super::Passage;
 use super::sides::{is_word, without_arguments};
 use super::signs::is_apostrophe;
-use super::stated::{label, moved, statements_by, word_at};
+use super::statements::{label, moved, statements_by, word_at};
 use super::words::{CONCLUSIONS, PLACES};
 use vibank_source::Span;
 

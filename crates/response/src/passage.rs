@@ -8,7 +8,7 @@ use super::measured::{self, Measured};
 use super::naming;
 use super::pieces::{self, FunctionPiece};
 use super::reworded::{self, Reworded};
-use super::stated::{self, Stated};
+use super::stated::Stated;
 use super::words::REMARKS;
 use super::{
     Chain, Lexicon, Manner, Phrase, Typed, TypedError, Wording, components, counts, distance,
@@ -194,7 +194,7 @@ impl<'t> Passage<'t> {
         manner: Manner,
         may_redefine: bool,
     ) -> Option<Result<Vec<Typed<Chain>>, TypedError>> {
-        stated::defined_chains(self.0, lexicon, manner, may_redefine)
+        super::defined::defined_chains(self.0, lexicon, manner, may_redefine)
     }
 
     /// Its equations, cut at semicolons, line ends, and commas or `and` between equations.
