@@ -26,6 +26,7 @@ use super::error::At;
 use super::passage::Passage;
 use super::signs::{MIDDLE_POINT, Plain, RUNS, begins_run, is_minus, of_char};
 use super::surroundings::answer_in;
+use vibank_formula::unit::Unit;
 use vibank_source::Span;
 
 /// A response in plain signs: letters of mathematical alphabets as ordinary ones, one minus, one sign for "at most",
@@ -451,6 +452,10 @@ impl Folder<'_> {
         {
             return self.write(&format!("_{{{index}}}"), length);
         }
+        // `5, 6 (in m)`
+        if char == '(' && self.is_before_unit_in_words() {
+            return self.write("(", "(in ".len());
+        }
         // `u = <1, 2>`
         if char == '=' && self.is_before_chevrons() {
             return self.write("=", 1);
@@ -477,6 +482,13 @@ impl Folder<'_> {
             && plain.chars().all(|char| char.is_ascii_alphanumeric())
             && self.typed[..self.at].ends_with(char::is_alphabetic);
         is_index.then_some((plain, index.len() + 3))
+    }
+
+    /// Whether a unit in brackets is said with its preposition here, `(in rad/s)`.
+    fn is_before_unit_in_words(&self) -> bool {
+        let inner = self.rest().strip_prefix("(in ");
+        let unit = inner.and_then(|inner| inner.split_once(')'));
+        unit.is_some_and(|(unit, _)| Unit::read(unit).is_ok())
     }
 
     /// Whether the list of chevrons to the end of the answer comes after an equals sign.
