@@ -208,8 +208,7 @@ impl Lexer<'_> {
 
     /// `1.4 x 10^-2`; whether the sign of times stands here as a letter.
     fn times_before_power_of_ten(&mut self, char: char) -> bool {
-        let is_behind_number =
-            matches!(self.tokens.last(), Some(token) if matches!(token.item, Item::Number(_)));
+        let is_behind_number = matches!(self.tokens.last(), Some(token) if matches!(token.item, Item::Number(_) | Item::Sign(')')));
         let is_it = matches!(char, 'x' | 'X')
             && is_behind_number
             && self.rest()[1..].trim_start().starts_with("10^");
