@@ -244,9 +244,7 @@ pub(crate) fn in_words(text: &str) -> Option<(Rational, bool)> {
             .filter(|count| *count == 0 || is_percent)
             .and_then(|count| Rational::new(count, 1))
             .or_else(|| Rational::new(1, part(only)?)),
-        [article, own] if matches!(article, "a" | "A" | "an" | "un") => {
-            Rational::new(1, part(own)?)
-        }
+        ["a" | "A" | "an" | "un", own] => Rational::new(1, part(own)?),
         [number, own] => Rational::new(count(number)?, part(own)?),
         _ => None,
     }?;

@@ -460,6 +460,11 @@ impl Folder<'_> {
         if char == '=' && self.is_before_chevrons() {
             return self.write("=", 1);
         }
+        self.single(char, width);
+    }
+
+    /// Writes a run of signs, a sign of the table or a letter.
+    fn single(&mut self, char: char, width: usize) {
         let mut runs = RUNS.iter().filter(|_| begins_run(char));
         if let Some((run, sign)) = runs.find(|(run, _)| self.rest().starts_with(run)) {
             return self.write(sign, run.len());

@@ -237,10 +237,10 @@ impl<'t> Reader<'t> {
         });
         for piece in &mut pieces {
             let text = &self.text[piece.range()];
-            let begins = |word: &&str| text.trim_start().strip_prefix(*word);
+            let begins = |word: &str| text.trim_start().strip_prefix(word);
             if let Some(behind) = ["so ", "hence ", "thus ", "= "]
                 .iter()
-                .find_map(|word| begins(&word))
+                .find_map(|word| begins(word))
             {
                 *piece = Span::new(piece.range().end - behind.len(), piece.range().end);
             }
@@ -442,10 +442,10 @@ fn condition_said<'t>(text: &'t str, asked: &Wording) -> &'t str {
         asked.covers(before).then_some(behind)
     });
     let text = joint.unwrap_or(text).trim_start();
-    let behind = |word: &&str| text.strip_prefix(*word)?.strip_prefix(' ');
+    let behind = |word: &str| text.strip_prefix(word)?.strip_prefix(' ');
     CONDITIONS
         .iter()
-        .find_map(|word| behind(&word))
+        .find_map(|word| behind(word))
         .unwrap_or(text)
 }
 

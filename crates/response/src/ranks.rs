@@ -69,7 +69,7 @@ fn ranked(piece: &str, count: usize) -> Option<(usize, &str)> {
             .char_indices()
             .filter(|(at, _)| *at > 0 && piece[..*at].ends_with([' ', ':', '=']));
         let starts = number.map(|(at, _)| at);
-        let said = starts.filter_map(|at| {
+        let mut said = starts.filter_map(|at| {
             let (words, value) = piece.split_at(at);
             let words = words.trim_end();
             let bare = words.trim_end_matches([':', '=']);
@@ -79,7 +79,7 @@ fn ranked(piece: &str, count: usize) -> Option<(usize, &str)> {
             Some((rank(bare)?, value.trim())).filter(|_| is_said)
         });
         // `first mode: 5 m`
-        said.last()
+        said.next_back()
     };
     behind.or_else(before).filter(|(_, value)| is_value(value))
 }

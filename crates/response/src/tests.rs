@@ -199,6 +199,7 @@ fn a_datum_printed_with_its_dot_is_read_in_words_and_signs() {
 }
 
 #[test]
+#[expect(clippy::too_many_lines, reason = "a table")]
 fn ranges_are_read_in_signs_and_words() {
     let said = |text: &str| {
         let told = |condition: &Condition<'_>| {

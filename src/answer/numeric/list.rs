@@ -71,35 +71,7 @@ fn unranked(
     };
     let (inner, unit) = unframed(&values, &all);
     let is_framed = inner != all;
-    // `[5 8.7]`; without brackets `5 8.7` alone is two numbers where two are asked, and `5 000` may be one.
-    let is_list = |pieces: &Vec<Part>| {
-        let is_group = |piece: &Part| {
-            values
-                .passage(&values.without_unit(piece))
-                .is_group_of_digits()
-        };
-        is_framed || pieces.len() == count && !pieces.iter().skip(1).any(is_group)
-    };
-    let spaced = values.spaced(&inner).filter(is_list);
-    let amounts = || {
-        let amounts = values.spaced_amounts(&inner);
-        amounts.filter(|pieces| pieces.len() == count)
-    };
-    let pieces: Vec<Part> = match spaced.or_else(amounts) {
-        Some(pieces) => pieces,
-        None => values.statements(&inner),
-    };
-    let ascending = pieces
-        .first()
-        .filter(|_| pieces.len() == 1)
-        .and_then(|only| values.ascending(only));
-    let is_ascending = ascending.is_some();
-    let pieces = without_empty_ends(&values, ascending.unwrap_or(pieces))?;
-    let bare = |piece: Part| match values.back_bracket(&piece) {
-        Some((value, said)) if values.passage(&said).is_remark() => value,
-        _ => piece,
-    };
-    let pieces: Vec<Part> = pieces.into_iter().map(bare).collect();
+    let (pieces, is_ascending) = pieces_of(&values, &inner, is_framed, count)?;
     if pieces.is_empty() {
         return Err(Unreadable::of(Why::Form).like(Example::Number));
     }
@@ -170,6 +142,44 @@ fn unranked(
         items,
         are_about_mean,
     })
+}
+
+/// The numbers of a list, each with what belongs to it, and whether they are said to ascend.
+fn pieces_of(
+    values: &Values<'_>,
+    inner: &Part,
+    is_framed: bool,
+    count: usize,
+) -> Result<(Vec<Part>, bool), Unreadable> {
+    // `[5 8.7]`; without brackets `5 8.7` alone is two numbers where two are asked, and `5 000` may be one.
+    let is_list = |pieces: &Vec<Part>| {
+        let is_group = |piece: &Part| {
+            values
+                .passage(&values.without_unit(piece))
+                .is_group_of_digits()
+        };
+        is_framed || pieces.len() == count && !pieces.iter().skip(1).any(is_group)
+    };
+    let spaced = values.spaced(inner).filter(is_list);
+    let amounts = || {
+        let amounts = values.spaced_amounts(inner);
+        amounts.filter(|pieces| pieces.len() == count)
+    };
+    let pieces: Vec<Part> = match spaced.or_else(amounts) {
+        Some(pieces) => pieces,
+        None => values.statements(inner),
+    };
+    let ascending = pieces
+        .first()
+        .filter(|_| pieces.len() == 1)
+        .and_then(|only| values.ascending(only));
+    let is_ascending = ascending.is_some();
+    let pieces = without_empty_ends(values, ascending.unwrap_or(pieces))?;
+    let bare = |piece: Part| match values.back_bracket(&piece) {
+        Some((value, said)) if values.passage(&said).is_remark() => value,
+        _ => piece,
+    };
+    Ok((pieces.into_iter().map(bare).collect(), is_ascending))
 }
 
 /// The pieces of a list without what is empty after its last sign.
