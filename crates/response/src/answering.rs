@@ -5,6 +5,7 @@ use super::Passage;
 use super::sides::{is_word, without_arguments};
 use super::signs::is_apostrophe;
 use super::statements::{label, moved, statements_by, word_at};
+use super::surroundings::behind_word;
 use super::words::{CONCLUSIONS, PLACES};
 use vibank_source::Span;
 
@@ -20,9 +21,7 @@ pub(crate) fn answering<'t>(text: &'t str, answers: impl Fn(Passage<'t>) -> bool
     let is_led = colon.next().is_some_and(|before| before.contains('='));
     let start = text.len() - text.strip_prefix("with ").unwrap_or(text).len();
     let all = statements_by(&text[start..], |rest| {
-        word_at(rest)
-            .or_else(|| condition_at(rest))
-            .or_else(|| conclusion_at(rest).filter(|_| is_led || !rest.starts_with(':')))
+        word_at(rest).or_else(|| conclusion_at(rest).filter(|_| is_led || !rest.starts_with(':')))
     });
     let all: Vec<Span> = all.into_iter().map(|own| moved(own, start)).collect();
     if all.len() < 2 {
@@ -47,11 +46,9 @@ pub(crate) fn answering<'t>(text: &'t str, answers: impl Fn(Passage<'t>) -> bool
 
 /// The length of the word with which a text begins and that says where a value holds, `at x = 0`.
 fn condition_at(text: &str) -> Option<usize> {
-    let word = PLACES.iter().find(|word| {
-        let behind = text.strip_prefix(**word);
-        behind.is_some_and(|behind| behind.starts_with(' '))
-    })?;
-    let (label, _) = text[word.len()..].split_once('=')?;
+    let mut places = PLACES.iter();
+    let (word, behind) = places.find_map(|word| Some((word, behind_word(text, word)?)))?;
+    let (label, _) = behind.split_once('=')?;
     let label = label.trim().trim_end_matches(is_apostrophe);
     is_word(without_arguments(label)).then_some(word.len())
 }

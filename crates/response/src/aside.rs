@@ -3,7 +3,8 @@
 
 use super::letters::greek_word;
 use super::signs::is_apostrophe;
-use super::words::{CONDITIONS, DENIALS, METHODS, SOURCES, TURNING};
+use super::surroundings::behind_word;
+use super::words::{CONDITIONS, DENIALS, METHODS, OTHER_VALUES, SOURCES, TURNING};
 use vibank_formula::unit::Unit;
 use vibank_source::lower;
 
@@ -43,10 +44,7 @@ pub(crate) fn before(text: &str) -> Option<&str> {
 
 /// Whether a text is a condition, or of words alone.
 fn is_aside(said: &str) -> bool {
-    let begins = |word: &str| {
-        let behind = said.strip_prefix(word);
-        behind.is_some_and(|behind| behind.starts_with(' '))
-    };
+    let begins = |word: &str| behind_word(said, word).is_some();
     let compares = said.contains(['<', '>', '≤', '≥', '≈']);
     let is_condition = CONDITIONS.iter().any(|word| begins(word)) || said.contains('≈');
     // A function of time is another one before it begins.
@@ -65,7 +63,8 @@ fn is_remark(said: &str) -> bool {
     let is_of_word = |char: char| char.is_alphabetic() || char == '-' || is_apostrophe(char);
     let changes = |word: &str| {
         let word = lower(word);
-        TURNING.contains(&word.as_str()) || DENIALS.contains(&word.as_str())
+        let tables = [TURNING, OTHER_VALUES, DENIALS];
+        tables.iter().any(|table| table.contains(&word.as_str()))
     };
     // `2nd`
     let is_ordinal = |word: &str| {
@@ -104,6 +103,7 @@ mod tests {
             ("L/2, half the column", None),
             ("m g (upwards)", None),
             ("m g (not uniform)", None),
+            ("k/m (twice)", None),
             ("2 (a + b)", None),
             ("a sin (omega t)", None),
             ("m x'' = k lambda", None),

@@ -150,15 +150,11 @@ impl Lexer<'_> {
         let start = self.at;
         let mut digits = String::new();
         while let Some(char) = self.peek() {
-            digits.push(match char {
-                '⁻' if digits.is_empty() => '-',
-                '⁰' => '0',
-                '¹' => '1',
-                '²' => '2',
-                '³' => '3',
-                '⁴'..='⁹' => char::from(b'4' + (u32::from(char) - u32::from('⁴')) as u8),
-                _ => break,
-            });
+            match raised(char) {
+                Some('-') if !digits.is_empty() => break,
+                Some(plain) => digits.push(plain),
+                None => break,
+            }
             self.at += char.len_utf8();
         }
         match digits.parse::<i128>() {
@@ -169,6 +165,19 @@ impl Lexer<'_> {
             _ => self.error(Trouble::Sign, start),
         }
     }
+}
+
+/// What a raised digit or minus is on the line.
+pub(crate) fn raised(char: char) -> Option<char> {
+    Some(match char {
+        '⁻' => '-',
+        '⁰' => '0',
+        '¹' => '1',
+        '²' => '2',
+        '³' => '3',
+        '⁴'..='⁹' => char::from(b'4' + (u32::from(char) - u32::from('⁴')) as u8),
+        _ => return None,
+    })
 }
 
 /// What a comma between digits is.

@@ -418,10 +418,8 @@ impl Folder<'_> {
         if char.is_ascii_alphabetic() && (self.equation() || self.matrix() || self.subscript()) {
             return;
         }
-        let is_of_unit = matches!(char, '1' | '/');
-        if let Some((length, plain)) = Some(())
-            .filter(|()| is_of_unit)
-            .and_then(|()| self.rooted_unit())
+        if matches!(char, '1' | '/')
+            && let Some((length, plain)) = self.rooted_unit()
         {
             return self.write(plain, length);
         }

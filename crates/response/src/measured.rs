@@ -38,10 +38,10 @@ pub(crate) fn measured(
         return Err(TypedError::new(Trouble::TooLong, MAX_LENGTH, text.len()));
     }
     let manner = Manner {
-        is_in_any_case: false,
         comma_is_decimal: true,
         has_imaginary_unit,
         values: Some(DecimalMark::Point),
+        ..Manner::default()
     };
     let tokens = tokens(text, 0, text.len(), lexicon, manner)?;
     let whole = Span::new(0, text.len());

@@ -17,6 +17,7 @@ use std::ops::Range;
 use self::marks::{CALLS, Mark, Marked, marks};
 use super::answering::without_condition;
 use super::list::{cut, cut_where, trimmed};
+use super::surroundings::behind_word;
 use super::words::{CONDITIONS, ENDS, LIMITS, ONWARDS, RANGES, UNBOUNDED, VERBS};
 use super::{MAX_LENGTH, Passage, Wording};
 use vibank_formula::unit::DecimalMark;
@@ -442,10 +443,9 @@ fn condition_said<'t>(text: &'t str, asked: &Wording) -> &'t str {
         asked.covers(before).then_some(behind)
     });
     let text = joint.unwrap_or(text).trim_start();
-    let behind = |word: &str| text.strip_prefix(word)?.strip_prefix(' ');
     CONDITIONS
         .iter()
-        .find_map(|word| behind(word))
+        .find_map(|word| behind_word(text, word))
         .unwrap_or(text)
 }
 
@@ -525,7 +525,7 @@ fn onwards(text: &str) -> Option<Said<'_>> {
     let limit = || {
         let mut found = LIMITS.iter();
         found.find_map(|(word, is_less)| {
-            let bound = text.strip_prefix(word)?.strip_prefix(' ')?;
+            let bound = behind_word(text, word)?;
             let is_number = bound
                 .trim_start()
                 .starts_with(|first: char| first.is_ascii_digit());

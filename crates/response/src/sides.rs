@@ -6,6 +6,7 @@ use super::lexer::tokens;
 use super::list::trimmed;
 use super::signs::is_apostrophe;
 use super::token::{Item, Token};
+use super::words::OTHER_VALUES;
 use super::{Lexicon, Manner, Trouble, TypedError};
 use vibank_formula::expr::Function;
 use vibank_source::{Span, lower};
@@ -58,30 +59,6 @@ pub(crate) fn described(text: &str) -> Option<&str> {
         "the", "of", "a", "an", "for", "its", "our", "at", "in", "on", "to", "my", "la", "le",
         "les", "de", "du", "des", "die", "der", "das", "el", "los", "las", "il", "lo", "un",
     ];
-    const OTHERS: [&str; 22] = [
-        "square",
-        "squared",
-        "inverse",
-        "reciprocal",
-        "half",
-        "twice",
-        "double",
-        "triple",
-        "root",
-        "negative",
-        "minus",
-        "times",
-        "derivative",
-        "logarithm",
-        "difference",
-        "change",
-        "not",
-        "never",
-        "quarter",
-        "third",
-        "cube",
-        "cubed",
-    ];
     /// One word alone may be a symbol with its index, `xmax`.
     const MIN_LETTERS_ALONE: usize = 6;
     let (mut rest, mut count, mut longest) = (text.trim(), 0, 0);
@@ -90,7 +67,7 @@ pub(crate) fn described(text: &str) -> Option<&str> {
             char.is_alphabetic() && !is_dotted(char) || char == '-' || is_apostrophe(char)
         };
         let lower = lower(word);
-        if OTHERS.contains(&lower.as_str()) {
+        if OTHER_VALUES.contains(&lower.as_str()) {
             return None;
         }
         // `tany`, `xdot`, `thetadot`, `omegan`

@@ -5,6 +5,7 @@ use super::sides::is_word;
 use super::words::STATEMENTS;
 use vibank_source::Span;
 
+/// A place that counts from so much further on.
 pub(crate) fn moved(span: Span, by: usize) -> Span {
     Span::new(span.range().start + by, span.range().end + by)
 }

@@ -83,6 +83,11 @@ fn trimmed(typed: &str, range: &Range<usize>) -> Range<usize> {
     start..start + text.trim().len()
 }
 
+/// What comes after a word and the space after it.
+pub(crate) fn behind_word<'t>(text: &'t str, word: &str) -> Option<&'t str> {
+    text.strip_prefix(word)?.strip_prefix(' ')
+}
+
 /// What comes after words, however they are spaced; `is_same` says when two words are.
 pub(crate) fn behind_words<'t>(
     text: &'t str,

@@ -4,7 +4,9 @@ use std::collections::BTreeMap;
 use std::sync::LazyLock;
 
 use super::letters::{greek_word, letter};
-use super::words::{FILLERS, PREFIXES, RUNS_OF_WORDS, STRESSES, SUFFIXES, SYNONYMS, THINGS};
+use super::words::{
+    FILLERS, OTHER_VALUES, PREFIXES, RUNS_OF_WORDS, STRESSES, SUFFIXES, SYNONYMS, THINGS,
+};
 use vibank_source::lower;
 
 /// The words of a text that say something, in their order.
@@ -32,10 +34,6 @@ static MEANT: LazyLock<BTreeMap<String, String>> = LazyLock::new(|| {
 
 /// A denial, whatever its word.
 const NOT: &str = "not";
-/// Words that make another value of what stands beside them.
-const FACTORS: [&str; 8] = [
-    "half", "double", "twice", "squared", "square", "inverse", "third", "negative",
-];
 /// Words that join what is said on their two sides.
 const JOINTS: [&str; 2] = ["and", "or"];
 
@@ -141,7 +139,7 @@ impl Wording {
             let own = Self::of(word);
             word.chars().all(|char| char.is_alphabetic() || char == '-')
                 && word.chars().count() > 1
-                && !FACTORS.contains(&word)
+                && !OTHER_VALUES.contains(&word)
                 && !own.denies()
                 && own.0.iter().all(|word| self.0.contains(word))
         };

@@ -546,6 +546,32 @@ pub(crate) const ROOTED_UNITS: &[(&str, &str)] = &[
     ("/√kg", " kg^(-1/2)"),
 ];
 
+/// Words that make another value of what they are said of.
+pub(crate) const OTHER_VALUES: &[&str] = &[
+    "square",
+    "squared",
+    "inverse",
+    "reciprocal",
+    "half",
+    "twice",
+    "double",
+    "triple",
+    "root",
+    "negative",
+    "minus",
+    "times",
+    "derivative",
+    "logarithm",
+    "difference",
+    "change",
+    "not",
+    "never",
+    "quarter",
+    "third",
+    "cube",
+    "cubed",
+];
+
 /// Marks after an answer that is meant to be right, with or without a space.
 pub(crate) const SEALS: &[&str] = &[
     "✓",

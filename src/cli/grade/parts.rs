@@ -111,7 +111,7 @@ impl Parts {
                 found => {
                     let found = found.map_or_else(|| "nothing".to_owned(), |found| found.code);
                     Err(self.broken(&format!(
-                        "has {found} where the sheet {} is due",
+                        "has {found} where the sheet {} belongs",
                         sheet.code
                     )))
                 }

@@ -1,6 +1,7 @@
 //! Exponents in raised signs that are more than integers: `e⁻⁰·⁸⁵ᵗ`, `(k/m)¹ᐟ²`.
 
 use super::Folder;
+use crate::digits::raised;
 use crate::signs::is_times;
 
 /// Raised signs that integers are not made of, and what they are.
@@ -31,15 +32,8 @@ const RAISED: &[(char, char)] = &[
 
 /// What a raised sign is on the line.
 fn lowered(char: char) -> Option<char> {
-    Some(match char {
-        '⁻' => '-',
-        '⁰' => '0',
-        '¹' => '1',
-        '²' => '2',
-        '³' => '3',
-        '⁴'..='⁹' => char::from(b'4' + (u32::from(char) - u32::from('⁴')) as u8),
-        _ => RAISED.iter().find(|(raised, _)| *raised == char)?.1,
-    })
+    let other = || RAISED.iter().find(|(raised, _)| *raised == char);
+    raised(char).or_else(|| other().map(|(_, plain)| *plain))
 }
 
 impl Folder<'_> {

@@ -49,18 +49,6 @@ impl Folder<'_> {
             })
     }
 
-    /// `in` before a unit in brackets after a value, `5, 6 (in mm)`.
-    fn unit_in_brackets(&self) -> Option<(usize, &'static str)> {
-        let before = self.typed[self.answer.start..self.at].strip_suffix('(')?;
-        let unit = self.typed[self.at..self.answer.end]
-            .strip_prefix("in ")?
-            .strip_suffix(')')?;
-        let is_behind_value = before
-            .trim_end()
-            .ends_with(|last: char| last.is_ascii_digit());
-        (is_behind_value && Unit::read(unit.trim()).is_ok()).then_some((3, ""))
-    }
-
     /// A unit under a root that ends a list, `(1, -1)/√kg`.
     pub(crate) fn rooted_unit(&self) -> Option<(usize, &'static str)> {
         let rest = &self.typed[self.at..self.answer.end];
@@ -74,9 +62,6 @@ impl Folder<'_> {
 
     /// A word that is a letter elsewhere, `y` and `e` between two values, `in` before a unit that ends the response.
     pub(crate) fn word_of_list(&self) -> Option<(usize, &'static str)> {
-        if let Some(found) = self.unit_in_brackets() {
-            return Some(found);
-        }
         let before = self.typed[self.answer.start..self.at].strip_suffix(' ')?;
         let rest = &self.typed[self.at..self.answer.end];
         let (word, plain, between) = LETTERS.iter().find(|(word, ..)| {

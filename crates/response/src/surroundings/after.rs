@@ -1,6 +1,7 @@
 //! Words, remarks and reasons after an answer.
 
 use super::before::is_of_motion;
+use super::behind_word;
 use crate::counts::in_words;
 use crate::letters::{combining, greek_word};
 use crate::signs::{is_apostrophe, is_minus};
@@ -259,10 +260,7 @@ fn precision(text: &str) -> Option<usize> {
 fn reason(text: &str) -> Option<usize> {
     text.match_indices(' ').find_map(|(at, _)| {
         let rest = &text[at + 1..];
-        let is_reason = |word: &&&str| {
-            let behind = rest.strip_prefix(**word);
-            behind.is_some_and(|behind| behind.starts_with(' '))
-        };
+        let is_reason = |word: &&&str| behind_word(rest, word).is_some();
         let word = REASONS.iter().find(is_reason)?;
         let before = text[..at].trim_end();
         // Short words are letters elsewhere: `da` and `car` say why only after a comma.
