@@ -104,6 +104,7 @@ mod tests {
             ("m g (upwards)", None),
             ("m g (not uniform)", None),
             ("k/m (twice)", None),
+            ("k/m (three times)", None),
             ("2 (a + b)", None),
             ("a sin (omega t)", None),
             ("m x'' = k lambda", None),

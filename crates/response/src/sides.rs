@@ -67,7 +67,8 @@ pub(crate) fn described(text: &str) -> Option<&str> {
             char.is_alphabetic() && !is_dotted(char) || char == '-' || is_apostrophe(char)
         };
         let lower = lower(word);
-        if OTHER_VALUES.contains(&lower.as_str()) {
+        // `three times the period`; after a number it only counts.
+        if OTHER_VALUES.contains(&lower.as_str()) || lower == "times" {
             return None;
         }
         // `tany`, `xdot`, `thetadot`, `omegan`

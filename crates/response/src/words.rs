@@ -523,6 +523,7 @@ pub(crate) const TURNING: &[&str] = &[
     "wrong",
     "false",
     "modulo",
+    "times",
 ];
 
 /// Words after a value with a minus that say no more than the minus.
@@ -559,7 +560,6 @@ pub(crate) const OTHER_VALUES: &[&str] = &[
     "root",
     "negative",
     "minus",
-    "times",
     "derivative",
     "logarithm",
     "difference",
