@@ -30,7 +30,7 @@ impl<'t> Stated<'t> {
         text: &'t str,
         answers: impl Fn(Passage<'t>) -> bool,
     ) -> Result<Self, TypedError> {
-        let all = statements(text);
+        let all = without_values_elsewhere(text, statements(text));
         let single = |main| Self {
             text,
             main,
@@ -245,6 +245,32 @@ impl<'t> Stated<'t> {
         });
         found.filter(|own| !is_of_answer(&own.name)).collect()
     }
+}
+
+/// Statements without what one of them is at some place, `V(0) = 0` beside `V(θ) = …`.
+fn without_values_elsewhere(text: &str, mut statements: Vec<Span>) -> Vec<Span> {
+    let label = |own: &Span| label(text, *own).map(|label| &text[label.range()]);
+    let functions: Vec<&str> = statements
+        .iter()
+        .filter_map(label)
+        .filter(|label| !is_at_value(label))
+        .map(without_arguments)
+        .collect();
+    let is_elsewhere = |own: &Span| {
+        label(own).is_some_and(|label| {
+            is_at_value(label) && functions.contains(&without_arguments(label))
+        })
+    };
+    statements.retain(|own| !is_elsewhere(own));
+    statements
+}
+
+/// Whether the argument of a label is a number, `V(0)`, `V(π/2)`.
+fn is_at_value(label: &str) -> bool {
+    let bare = without_arguments(label);
+    let argument = label[bare.len()..].trim().trim_matches(['(', ')', '[', ']']);
+    let digits = argument.replace("\\pi", "").replace("pi", "");
+    !argument.is_empty() && digits.chars().all(|char| "0123456789.,/-+π° ∞".contains(char))
 }
 
 /// Whether a label is that of a rate, `dE/dt`, `Ė`, `E'`.
