@@ -294,6 +294,7 @@ pub(crate) struct Steps {
     pub(crate) letters: Lexicon,
     /// The names of what is asked.
     asked: Vec<Name>,
+    is_one: bool,
 }
 
 impl Steps {
@@ -308,7 +309,25 @@ impl Steps {
             }
             asked.extend([own.name.clone(), letter]);
         }
-        Self { letters, asked }
+        let shape = declare.graph().kind(key).map(expr::Type::shape);
+        Self {
+            letters,
+            asked,
+            is_one: is_one(AnswerKind::Numeric, shape),
+        }
+    }
+
+    /// Whether a side is a formula in several letters of the question, of which none is what is asked: `√(k/m) = 19 rad/s`.
+    /// With one letter it may name another quantity, `ω² = 19/s²`.
+    pub(crate) fn are_of_question_in(&self, side: Passage<'_>) -> bool {
+        let typed = side.formula(&self.letters, Manner::default());
+        typed.is_ok_and(|typed| {
+            let names = typed.value.names();
+            self.is_one
+                && !self.asked.is_empty()
+                && names.free.len() > 1
+                && !self.asked.iter().any(|own| names.uses(own))
+        })
     }
 
     /// Whether a side is a formula with letters of one's own, of which none is what is asked: `√(K/J) = 19 rad/s`.

@@ -73,23 +73,19 @@ fn mark_typed(solution: &Solution<'_>, place: usize, response: &TypedResponse<'_
     silence::heard(typed, marking)
 }
 
-/// The marking of a response; where a formula cannot be read with what is said after it, `… by Newton's law`, and is right
-/// without, that of the formula alone.
+/// The marking of a response; where it cannot be read with what is said after it, `… by Newton's law`, and is right without,
+/// that of the answer alone.
 fn without_aside(
     kind: AnswerKind,
     response: Passage<'_>,
     mark: impl Fn(Passage<'_>) -> Marking,
 ) -> Marking {
     let first = mark(response);
-    let is_of_formulas = matches!(
+    let is_of_words = matches!(
         kind,
-        AnswerKind::Formula
-            | AnswerKind::Equation
-            | AnswerKind::Function
-            | AnswerKind::Matrix
-            | AnswerKind::ModeShape
+        AnswerKind::Choice | AnswerKind::Integer | AnswerKind::Interval | AnswerKind::Work
     );
-    if !is_of_formulas || first.verdict != Verdict::Unreadable || is_doubtful(&first) {
+    if is_of_words || first.verdict != Verdict::Unreadable || is_doubtful(&first) {
         return first;
     }
     let alone = response.before_aside().map(mark);

@@ -57,8 +57,8 @@ fn is_aside(said: &str) -> bool {
 
 /// Whether a text is of words alone, none of which says that the formula is another one.
 fn is_remark(said: &str) -> bool {
-    /// Shorter words may be letters of a formula.
-    const MIN_LETTERS: usize = 5;
+    /// Shorter words may be letters of a formula, and units.
+    const MIN_LETTERS: usize = 4;
     let mut words = said.split_whitespace();
     let is_of_word = |char: char| char.is_alphabetic() || char == '-' || is_apostrophe(char);
     let changes = |word: &str| {

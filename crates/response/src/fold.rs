@@ -9,6 +9,7 @@ mod plain;
 mod programs;
 mod raised;
 mod spaces;
+mod spoken;
 mod steps;
 mod words;
 
@@ -112,6 +113,7 @@ impl<'t> Folded<'t> {
             row_ends: Vec::new(),
             has_cells: has_cells(typed),
             has_barred_numbers: has_barred_numbers(typed),
+            closes: usize::MAX,
             open: Vec::new(),
             overs: Vec::new(),
         };
@@ -121,6 +123,7 @@ impl<'t> Folded<'t> {
         while folder.at < typed.len() {
             folder.piece();
         }
+        folder.close();
         Ok(Self {
             typed,
             text: Cow::Owned(folder.text),
@@ -308,6 +311,8 @@ struct Folder<'t> {
     has_cells: bool,
     /// Whether bars part numbers.
     has_barred_numbers: bool,
+    /// Where the bracket of a root in words closes.
+    closes: usize,
     /// The environments of LaTeX that are open.
     open: Vec<Environment>,
     /// Where `\over` parts a group, and where that group closes.
@@ -354,7 +359,16 @@ impl Folder<'_> {
             })
     }
 
+    /// Closes the bracket that a root in words has opened, where what stands under it ends.
+    fn close(&mut self) {
+        if self.at == self.closes {
+            self.write(")", 0);
+            self.closes = usize::MAX;
+        }
+    }
+
     fn piece(&mut self) {
+        self.close();
         let Some(char) = self.rest().chars().next() else {
             return;
         };
@@ -392,6 +406,9 @@ impl Folder<'_> {
         if char == ' ' && self.is_before_power_of_ten() || char == '.' && self.is_french_times() {
             return self.write("*", width);
         }
+        if char == ' ' && self.is_before_spaced_power() {
+            return self.write("e", " E ".len());
+        }
         if self.is_rule() {
             return self.write("=", if char == '-' { 2 } else { width });
         }
@@ -411,6 +428,9 @@ impl Folder<'_> {
         }
         if self.apart_dots(char) {
             return;
+        }
+        if let Some((length, plain)) = self.spoken_rate().or_else(|| self.spoken_function()) {
+            return self.write(plain, length);
         }
         if let Some((length, plain)) = self.raised() {
             return self.write(&plain, length);
@@ -534,6 +554,15 @@ impl Folder<'_> {
         is_power
             && before.ends_with(|last: char| last.is_ascii_digit())
             && !before.contains(['[', '&', '^'])
+    }
+
+    /// `1.4 E -2`, as some calculators show it.
+    fn is_before_spaced_power(&self) -> bool {
+        let is_digit = |char: char| char.is_ascii_digit();
+        let power = self.rest().strip_prefix(" E ");
+        let power = power.map(|power| power.strip_prefix(['+', '-']).unwrap_or(power));
+        power.is_some_and(|power| power.starts_with(is_digit))
+            && self.typed[..self.at].ends_with(is_digit)
     }
 
     /// `1,4.10^-2`: after a decimal comma the point before a power of ten multiplies.

@@ -130,6 +130,7 @@ pub(crate) const MIDDLE_POINT: char = '‧';
 
 /// Runs of signs, the longer ones before those with which they begin.
 pub(crate) const RUNS: &[(&str, &str)] = &[
+    ("==>", "="),
     ("=/=", "≠"),
     ("=\\=", "≠"),
     // A matrix of Maple after its name.

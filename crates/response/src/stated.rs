@@ -268,9 +268,14 @@ fn without_values_elsewhere(text: &str, mut statements: Vec<Span>) -> Vec<Span> 
 /// Whether the argument of a label is a number, `V(0)`, `V(π/2)`.
 fn is_at_value(label: &str) -> bool {
     let bare = without_arguments(label);
-    let argument = label[bare.len()..].trim().trim_matches(['(', ')', '[', ']']);
+    let argument = label[bare.len()..]
+        .trim()
+        .trim_matches(['(', ')', '[', ']']);
     let digits = argument.replace("\\pi", "").replace("pi", "");
-    !argument.is_empty() && digits.chars().all(|char| "0123456789.,/-+π° ∞".contains(char))
+    !argument.is_empty()
+        && digits
+            .chars()
+            .all(|char| "0123456789.,/-+π° ∞".contains(char))
 }
 
 /// Whether a label is that of a rate, `dE/dt`, `Ė`, `E'`.

@@ -406,6 +406,7 @@ pub(crate) const LEADS: &[&str] = &[
     "équation",
     "bewegungsgleichung",
     "lambda t",
+    "==>",
     "@(t)",
     "t ->",
     "t →",
@@ -471,6 +472,12 @@ pub(crate) const TRAILS: &[&str] = &[
     "without units",
     ", t in s",
     ", t in seconds",
+    "times larger",
+    "times bigger",
+    "times higher",
+    "times as large",
+    "times as big",
+    "times as much",
 ];
 
 /// Words after a value that say of which sign or of what it is: without them it would be another one.
@@ -535,6 +542,8 @@ pub(crate) const OF_MINUS: &[&str] = &[
     "shortening",
     "lagging",
     "left",
+    "lags",
+    "lag",
 ];
 
 /// Spellings of a unit under a root after a list, and what is read.
@@ -566,6 +575,21 @@ pub(crate) const OTHER_VALUES: &[&str] = &[
     "change",
     "not",
     "never",
+    "halved",
+    "doubled",
+    "tripled",
+    "inverted",
+    "opposite",
+    "reversed",
+    "plus",
+    "over",
+    "per",
+    "but",
+    "except",
+    "instead",
+    "two",
+    "three",
+    "four",
     "quarter",
     "third",
     "cube",
@@ -699,6 +723,49 @@ pub(crate) const ROOTS: &[&str] = &[
     "radq", "RADQ",
 ];
 
+/// Roots in words, the longer ones before those with which they begin.
+pub(crate) const SPOKEN_ROOTS: &[&str] = &[
+    "the square root of",
+    "square root of",
+    "square root",
+    "the root of",
+    "root of",
+    "sqrt of",
+    "root",
+    "la racine carrée de",
+    "la racine de",
+    "racine carrée de",
+    "racine de",
+    "Wurzel aus",
+    "Wurzel von",
+];
+
+/// Functions in words before a bracket.
+pub(crate) const FUNCTIONS: &[(&str, &str)] = &[
+    ("sin of", "sin"),
+    ("sine of", "sin"),
+    ("the sine of", "sin"),
+    ("cos of", "cos"),
+    ("cosine of", "cos"),
+    ("the cosine of", "cos"),
+    ("tan of", "tan"),
+    ("tangent of", "tan"),
+    ("arctan of", "arctan"),
+    ("arctangent of", "arctan"),
+    ("exp of", "exp"),
+    ("ln of", "ln"),
+];
+
+/// Rates in words after their letter.
+pub(crate) const RATES_IN_WORDS: &[(&str, &str)] = &[
+    ("double dot", "''"),
+    ("double-dot", "''"),
+    ("dot dot", "''"),
+    ("double prime", "''"),
+    ("dot", "'"),
+    ("prime", "'"),
+];
+
 /// Calls of programs that stand for the number in their brackets.
 pub(crate) const NUMBERS: &[&str] = &[
     "np.float64",
@@ -823,6 +890,8 @@ pub(crate) const SOURCES: &[&str] = &[
     "par",
     "d'après",
     "selon",
+    "with",
+    "as",
 ];
 
 /// Modules and objects of programs before the names of functions.

@@ -5,8 +5,8 @@ use crate::answer::{Example, Unreadable, Why};
 use crate::expr::{Constant, Expr, Kind, Operator, PlainNotation};
 use crate::math::Math;
 use crate::response::{
-    Amount, Manner, Number as Typed, Part, Passage, Style, Trouble, TypedError, ValueTrouble,
-    Values, Wording,
+    Amount, Lexicon, Manner, Number as Typed, Part, Passage, Style, Trouble, TypedError,
+    ValueTrouble, Values, Wording,
 };
 use crate::unit::{Decimal, DecimalMark, Dimension, Quantity, Unit};
 
@@ -49,6 +49,12 @@ impl TypedNumber {
             others: Vec::new(),
             is_by_rule: false,
         })
+    }
+
+    /// The number that a product with a unit in it is, `80 cm * 0.2955`.
+    fn of_product(typed: Passage<'_>) -> Option<Self> {
+        let measured = typed.measured(&Lexicon::new(), false).ok()?.value;
+        Self::of_formula(measured.formula, measured.unit?)
     }
 
     /// The same in a unit that stands elsewhere.
@@ -153,9 +159,10 @@ impl Setting<'_> {
         }
     }
 
-    /// Whether a side is a step in letters of one's own.
-    fn is_own_step(&self, side: Passage<'_>) -> bool {
-        self.steps.is_some_and(|(_, steps)| steps.are_own_in(side))
+    /// Whether a side is a step in letters.
+    fn is_step_in_letters(&self, side: Passage<'_>) -> bool {
+        self.steps
+            .is_some_and(|(_, steps)| steps.are_of_question_in(side) || steps.are_own_in(side))
     }
 
     /// Whether the units of a step are letters of the question: `2√(L/C)` is no litre where a resistance is asked for.
@@ -300,7 +307,8 @@ pub(crate) fn statement(
         let is_step = 0 < at && at < value;
         let is_between = is_step && is_named;
         let step = values.amount_of_step(side).ok();
-        match step.as_ref().and_then(TypedNumber::of) {
+        let step = step.as_ref().and_then(TypedNumber::of);
+        match step.or_else(|| TypedNumber::of_product(values.passage(side))) {
             Some(other)
                 if are_equal(&number, &other)
                     || other.others.iter().any(|other| are_equal(&number, other)) => {}
@@ -316,7 +324,7 @@ pub(crate) fn statement(
                 return Err(Why::UnequalSides(one.short(), other.short()).into());
             }
             None if is_between && !values.goes_on_in_words(side) => {}
-            None if at < value && setting.is_own_step(values.passage(side)) => {}
+            None if at < value && setting.is_step_in_letters(values.passage(side)) => {}
             None => {
                 return Err(Unreadable::at(
                     values.passage(side).short(),

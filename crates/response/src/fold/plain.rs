@@ -1,5 +1,6 @@
 //! What a response is as a whole: plain already, made of cells or of numbers between bars.
 
+use super::spoken::begins_operation;
 use super::words::{begins_words, is_shouted};
 use crate::signs::{RUNS, TURNS, is_minus};
 use crate::surroundings::{answer_in, enumeration};
@@ -20,7 +21,9 @@ pub(crate) fn is_plain(typed: &str) -> bool {
         && !typed
             .match_indices('(')
             .any(|(at, _)| is_called(&typed[..at]))
-        && !typed.split(' ').any(begins_words)
+        && !typed
+            .split([' ', '('])
+            .any(|word| begins_words(word) || begins_operation(word))
         && !is_shouted(typed)
         && !typed.contains("/sqrt(kg)")
         && answer_in(typed).len() == typed.len()
@@ -42,6 +45,7 @@ fn begins_sign(rest: &[u8]) -> bool {
             | [b'S', b'u', b'b', b's', b'c', ..]
             | [b'>' | b'<', b' ', b'=', ..]
             | [b' ' | b'.', b'1', b'0', b'^', ..]
+            | [b' ', b'E', b' ', ..]
             | [b'(', b'i', b'n', b' ', ..]
     )
 }

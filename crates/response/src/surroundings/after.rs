@@ -55,12 +55,9 @@ pub(crate) fn trail(text: &str) -> Option<usize> {
         let ends = |last: char| last.is_alphabetic() || before.ends_with(' ');
         return before.trim_end().ends_with(ends).then_some(1);
     }
-    if let Some(before) = text.strip_suffix(';') {
-        let ends = |last: char| last.is_alphanumeric() || ")]}°%²³'".contains(last);
-        return before.trim_end().ends_with(ends).then_some(1);
-    }
-    let before = text.strip_suffix(',')?;
-    before.ends_with(char::is_alphanumeric).then_some(1)
+    let before = text.strip_suffix([';', ','])?;
+    let ends = |last: char| last.is_alphanumeric() || ")]}°%²³'".contains(last);
+    before.trim_end().ends_with(ends).then_some(1)
 }
 
 /// The length of a remark in brackets after an answer: `(3 s.f.)`, `(see above)`, and the `(1)` by which an equation is
