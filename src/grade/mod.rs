@@ -73,8 +73,8 @@ fn mark_typed(solution: &Solution<'_>, place: usize, response: &TypedResponse<'_
     silence::heard(typed, marking)
 }
 
-/// The marking of a response; where it cannot be read with what is said after it, `… by Newton's law`, and is right without,
-/// that of the answer alone.
+/// The marking of a response; where it cannot be read with what is said beside it, `… by Newton's law`, or in words,
+/// `half of k`, and is right without them, that of the answer alone.
 fn without_aside(
     kind: AnswerKind,
     response: Passage<'_>,
@@ -88,10 +88,13 @@ fn without_aside(
     if is_of_words || first.verdict != Verdict::Unreadable || is_doubtful(&first) {
         return first;
     }
-    let alone = response.before_aside().map(mark);
-    alone
-        .filter(|alone| alone.verdict == Verdict::Right)
-        .unwrap_or(first)
+    let is_right = |marking: &Marking| marking.verdict == Verdict::Right;
+    let mut alone = response.without_asides().map(&mark);
+    let alone = alone.find(is_right).or_else(|| {
+        let spoken = response.in_spoken_numbers()?;
+        Some(mark(spoken.passage())).filter(is_right)
+    });
+    alone.unwrap_or(first)
 }
 
 /// How a response to a part is read while it is typed: this tells nothing of the key.

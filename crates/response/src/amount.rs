@@ -55,17 +55,26 @@ impl Amount {
         }
     }
 
-    /// The value in its unit, if there is one.
+    /// The value in its unit, if there is one; none where nothing of it is known, `sin(1e99)`.
     pub fn value(&self) -> Option<Value> {
         match &self.number {
             Number::Decimal(decimal) => Some(Value::real(decimal.to_f64(), 0.0)),
             Number::Formula(expr) => {
                 let program = Program::compile(expr, &Slots(&[])).ok()?;
                 let none: [vibank_formula::expr::Precise; 0] = [];
-                program.evaluate(&none, &mut Workspace::default()).ok()
+                let value = program.evaluate(&none, &mut Workspace::default());
+                value.ok().filter(is_known)
             }
         }
     }
+}
+
+/// Whether numbers are larger than their errors, or both are as good as zero.
+fn is_known(value: &Value) -> bool {
+    // Far beyond the seventy digits with which a difference that should vanish is computed.
+    const NOTHING: f64 = 1e-12;
+    let mut numbers = value.numbers().iter().zip(value.bounds());
+    numbers.all(|(number, bound)| *bound <= number.abs().max(NOTHING))
 }
 
 pub(crate) type Split = (Expr, Option<Unit>);

@@ -42,11 +42,20 @@ pub(crate) fn before(text: &str) -> Option<&str> {
     (!before.is_empty()).then_some(before)
 }
 
+/// What comes behind words and a colon or a comma, `the sum: k1 + k2`, `weight, m g`.
+pub(crate) fn behind(text: &str) -> Option<&str> {
+    let (said, formula) = text.split_once([':', ','])?;
+    let formula = formula.trim_start();
+    (is_remark(said) && !formula.is_empty()).then_some(formula)
+}
+
 /// Whether a text is a condition, or of words alone.
 fn is_aside(said: &str) -> bool {
     let begins = |word: &str| behind_word(said, word).is_some();
     let compares = said.contains(['<', '>', '≤', '≥', '≈']);
-    let is_condition = CONDITIONS.iter().any(|word| begins(word)) || said.contains('≈');
+    let is_condition = CONDITIONS.iter().any(|word| begins(word))
+        || said.contains('≈')
+        || said.starts_with(['<', '>', '≤', '≥']);
     // A function of time is another one before it begins.
     let is_of_time = || {
         said.split(|char: char| !char.is_alphanumeric())
@@ -59,7 +68,8 @@ fn is_aside(said: &str) -> bool {
 fn is_remark(said: &str) -> bool {
     /// Shorter words may be letters of a formula, and units.
     const MIN_LETTERS: usize = 4;
-    let mut words = said.split_whitespace();
+    let words = said.split_whitespace();
+    let mut words = words.map(|word| word.trim_end_matches([',', ';']));
     let is_of_word = |char: char| char.is_alphabetic() || char == '-' || is_apostrophe(char);
     let changes = |word: &str| {
         let word = lower(word);

@@ -106,11 +106,7 @@ impl Parser<'_> {
                 return Self::binary(Operator::Add, real, imaginary);
             }
             (Powered::Polar, (Some(modulus), Some(angle), None)) => {
-                let unit = Expr::new(Kind::Constant(Constant::ImaginaryUnit), span);
-                let base = Expr::new(Kind::Constant(Constant::E), span);
-                let angle = Self::binary(Operator::Multiply, unit, angle)?;
-                let turned = Self::binary(Operator::Power, base, angle)?;
-                return Self::binary(Operator::Multiply, modulus, turned);
+                return Self::polar(modulus, angle, span);
             }
             (Powered::Quotient, (Some(above), Some(below), None)) => {
                 return Self::binary(Operator::Divide, above, below);
@@ -137,15 +133,7 @@ impl Parser<'_> {
             let argument = self.goes_on_bare(first, false, is_root)?;
             return Self::counted(function, vec![argument], open);
         }
-        let mut arguments = self.listed()?;
-        // `cos(ω_n) t`, where only so it makes sense.
-        if let [argument] = &arguments[..]
-            && function != Function::Sqrt
-            && let Some(end) = self.end_at_time(argument)
-            && self.ways.choose(Doubtful::Argument, false)
-        {
-            arguments = vec![self.times(argument.clone(), end)?];
-        }
+        let arguments = self.listed()?;
         Self::counted(function, arguments, open)
     }
 

@@ -385,7 +385,7 @@ impl Folder<'_> {
         if self.blanked.contains(&self.at) || char == '$' {
             return self.write(" ", width);
         }
-        if "{}\\".contains(char) && self.fraction(char) {
+        if "{}\\".contains(char) && self.fraction(char) || char == '{' && self.dotted_group() {
             return;
         }
         if let Some((_, length)) = self.equals.iter().find(|(at, _)| *at == self.at) {

@@ -5,7 +5,6 @@ use super::lexer::Lexer;
 use super::token::Item;
 use super::vocabulary::INITIAL;
 use super::{Trouble, TypedError};
-use vibank_dynamics::numerics::Rational;
 use vibank_formula::expr::Function;
 
 impl Lexer<'_> {
@@ -29,11 +28,7 @@ impl Lexer<'_> {
         let item = match name.as_str() {
             "mathit" | "mathbf" | "boldsymbol" => return Ok(()),
             "mathrm" | "operatorname" | "text" | "rm" => return self.word_in_braces(),
-            "frac" => {
-                self.push(Item::Fraction, start);
-                self.single_digits();
-                return Ok(());
-            }
+            "frac" => Item::Fraction,
             "sqrt" => Item::Radical,
             "bar" | "overline"
                 if self.manner.has_imaginary_unit && self.manner.values.is_none() =>
@@ -60,17 +55,6 @@ impl Lexer<'_> {
         };
         self.push(item, start);
         Ok(())
-    }
-
-    /// The digits of `\frac12`, one for each part.
-    fn single_digits(&mut self) {
-        for _ in 0..2 {
-            let Some(digit) = self.peek().and_then(|char| char.to_digit(10)) else {
-                break;
-            };
-            let value = Rational::new(i128::from(digit), 1).unwrap_or(Rational::ZERO);
-            self.take(1, Item::Number(value));
-        }
     }
 
     /// Primes as an exponent, `^{\prime\prime}` or `^{''}`; how many there are.

@@ -9,9 +9,33 @@ use vibank_source::Span;
 
 /// The text of a list with brackets and separators as they are read.
 pub(crate) fn laid_out(text: &str) -> String {
-    let text = angled(text).map_or(Cow::Borrowed(text), Cow::Owned);
-    let plain = rows_by_line(&without_latex(&text)).replace(" and ", " ;   ");
-    without_brackets_of_unit(plain)
+    let (list, unit) = text.split_at(end_of_numbers(text));
+    let list = angled(list).or_else(|| slashed(list));
+    let list = list.map_or(Cow::Borrowed(&text[..text.len() - unit.len()]), Cow::Owned);
+    let plain = rows_by_line(&without_latex(&list)).replace(" and ", " ;   ");
+    without_brackets_of_unit(plain + unit)
+}
+
+/// `m 0 / 0 k` with semicolons between its rows, which are as many as have entries; all places stay.
+fn slashed(text: &str) -> Option<String> {
+    let start = text.find('=').map_or(0, |label| label + 1);
+    let rows: Vec<&str> = text[start..].split(" / ").collect();
+    let is_whole = |row: &&str| row.split_whitespace().count() == rows.len();
+    let is_square = rows.len() > 1 && rows.iter().all(is_whole);
+    is_square.then(|| text[..start].to_owned() + &rows.join(" ; "))
+}
+
+/// Where a list of numbers ends before its unit, `1 0\n0 2 kg`. Between letters its last one may be an entry.
+fn end_of_numbers(text: &str) -> usize {
+    let list = text.trim_end_matches(|last: char| !last.is_ascii_digit() && !"|>".contains(last));
+    let unit = text[list.len()..].trim();
+    let numbers = list.rsplit('=').next().unwrap_or(list);
+    let is_unit = unit.starts_with(char::is_alphabetic) && Unit::read(unit).is_ok();
+    if is_unit && !numbers.contains(char::is_alphabetic) {
+        list.len()
+    } else {
+        text.len()
+    }
 }
 
 /// `<<a|b>,<c|d>>` and `<a, b>` of Maple in square brackets: bars part the entries of a row, commas rows and the entries
@@ -245,14 +269,16 @@ fn barred_rows(text: &str) -> Option<String> {
 /// The same list with `&` for each space that parts entries, as in `[1 -2; 0 3]`. A space parts two values, and a value
 /// from a sign that stands at the next one; beside a list in brackets it parts nothing but such lists.
 pub(crate) fn spaced(text: &str) -> String {
+    let (text, unit) = text.split_at(end_of_numbers(text));
     let inner = parted(text, |depth, _, _| depth > 0);
     let whole = Span::new(0, text.len());
     let has_list = groups(&inner, whole)
         .iter()
         .any(|group| inner[group.range()].contains([',', ';', '&']));
-    parted(&inner, |depth, before, next| {
+    let plain = parted(&inner, |depth, before, next| {
         depth == 0 && (!has_list || ")]}".contains(before) && "([{".contains(next))
-    })
+    });
+    plain + unit
 }
 
 /// Whether a sign stands at the number after a space, where commas may be decimal signs.

@@ -146,7 +146,8 @@ impl Lexer<'_> {
         let item = match char {
             '+' | '/' | '^' | '(' | ')' | '[' | ']' | '{' | '}' | '|' | ';' | '=' | '<' | '>'
             | '≤' | '≥' | '≠' | '&' => Item::Sign(char),
-            '*' | '-' => Item::Sign(char),
+            '*' | '-' | ':' => Item::Sign(char),
+            '∠' if self.manner.has_imaginary_unit => Item::Sign(char),
             MIDDLE_POINT => Item::Sign('*'),
             '≈' => Item::Sign('='),
             '√' => Item::Root,
@@ -368,6 +369,11 @@ impl Lexer<'_> {
         let mut dots = 0;
         if let Some((word, at)) = word {
             letters.push_word(word, at);
+        } else if let Some((name, length)) = self.lexicon.product(self.rest()) {
+            for (place, letter) in name.as_str().char_indices() {
+                letters.push(letter, self.at + place, self.at + place);
+            }
+            self.at += length;
         }
         while let Some(char) = self.peek() {
             let at = self.at;

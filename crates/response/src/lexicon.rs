@@ -103,6 +103,26 @@ impl Lexicon {
         self.add(LexiconEntry::Forbidden(name.clone()));
     }
 
+    /// The name of two letters that a text begins with as a product, `A*E` and `E A` for AE, and how long that is.
+    pub(crate) fn product(&self, text: &str) -> Option<(&Name, usize)> {
+        let first = text.chars().next().filter(char::is_ascii_uppercase)?;
+        let second = text[1..].trim_start_matches([' ', '*']);
+        let length = text.len() - second.len() + 1;
+        let second = second.chars().next().filter(char::is_ascii_uppercase)?;
+        let ends = |next: char| !next.is_alphanumeric() && !"_'".contains(next);
+        let is_whole = text[length..].chars().next().is_none_or(ends);
+        let is_known = |letter: char| self.reads(letter.encode_utf8(&mut [0; 4])).is_some();
+        let is_it = |name: &Name| {
+            let own = name.as_str().chars();
+            own.clone().eq([first, second]) || own.eq([second, first])
+        };
+        let name = self.entries.iter().find_map(|entry| match entry {
+            LexiconEntry::Allowed(name, ..) => Some(name).filter(|name| is_it(name)),
+            LexiconEntry::Forbidden(_) => None,
+        })?;
+        (is_whole && !is_known(first) && !is_known(second)).then_some((name, length))
+    }
+
     /// Whether no name may be used.
     pub(crate) fn is_empty(&self) -> bool {
         self.entries.is_empty()

@@ -254,8 +254,12 @@ impl Lexer<'_> {
         let text = plain.as_deref().unwrap_or(text);
         let certain = with_certain_sign(text);
         let read = match &certain {
-            Some(plain) => Decimal::read(plain, DecimalMark::Point)
-                .map(|(value, length)| (value, length + DECIMAL.len_utf8() - 1)),
+            Some(plain) => Decimal::read(plain, DecimalMark::Point).map(|(value, length)| {
+                // The point is narrower than the sign for which it stands, if it was read at all.
+                let is_read = text.find(DECIMAL).is_some_and(|at| at < length);
+                let widened = if is_read { DECIMAL.len_utf8() - 1 } else { 0 };
+                (value, length + widened)
+            }),
             None => Decimal::read(text, mark),
         };
         let (literal, length) = match read {

@@ -169,8 +169,14 @@ impl<'a> Parser<'a> {
                     let divisor = self.divisor(&left)?;
                     left = Self::binary(Operator::Divide, left, divisor)?;
                 }
-                // `√(50:2)`; outside of brackets a colon comes after a name, or in a time of day.
-                Some(Item::Sign(':')) if self.has_units() && self.depth > 0 => {
+                Some(Item::Sign('∠')) if !self.has_units() => {
+                    let span = self.here();
+                    self.at += 1;
+                    let angle = self.term()?;
+                    left = Self::polar(left, angle, span)?;
+                }
+                // `√(50:2)`; of values a colon outside of brackets comes after a name, or in a time of day.
+                Some(Item::Sign(':')) if !self.has_units() || self.depth > 0 => {
                     self.at += 1;
                     let right = self.signed()?;
                     left = Self::binary(Operator::Divide, left, right)?;
@@ -192,6 +198,15 @@ impl<'a> Parser<'a> {
                 _ => return Ok(left),
             }
         }
+    }
+
+    /// The complex number of a modulus and an angle.
+    pub(crate) fn polar(modulus: Expr, angle: Expr, span: Span) -> Result<Expr> {
+        let unit = Expr::new(Kind::Constant(Constant::ImaginaryUnit), span);
+        let base = Expr::new(Kind::Constant(Constant::E), span);
+        let angle = Self::binary(Operator::Multiply, unit, angle)?;
+        let turned = Self::binary(Operator::Power, base, angle)?;
+        Self::binary(Operator::Multiply, modulus, turned)
     }
 
     fn before(&self, places: usize) -> Option<&'a Token> {

@@ -374,9 +374,16 @@ impl<'t> Passage<'t> {
         runs.filter(|run| !run.is_empty()).map(Self::of).collect()
     }
 
-    /// What comes before what is said of a formula, `…, if ω² > 2λ²`, `… (uniform)`, `… by Newton's law`.
-    pub fn before_aside(self) -> Option<Self> {
-        super::aside::before(self.0).map(Self::of)
+    /// The answer without what is said of it after it, `…, if ω² > 2λ²`, `… (uniform)`, `… by Newton's law`, or before it,
+    /// `the sum: …`.
+    pub fn without_asides(self) -> impl Iterator<Item = Self> {
+        let found = [super::aside::before(self.0), super::aside::behind(self.0)];
+        found.into_iter().flatten().map(Self::of)
+    }
+
+    /// A formula with the numbers in it that are said in words, `half of m R^2`, `twice k`.
+    pub fn in_spoken_numbers(self) -> Option<Reworded> {
+        reworded::of_spoken_numbers(self.0)
     }
 
     /// Whether it is the name of a logarithm, whose argument many write without brackets.

@@ -217,6 +217,7 @@ fn index_of(text: &str) -> Option<(usize, usize)> {
 
 /// A ratio of components, `1 : -0.5`, as a list; all places stay.
 pub(crate) fn ratio_as_list(typed: &str) -> String {
+    let typed = &typed.replace(" to ", " : ");
     let digit = |char: char| char.is_ascii_digit();
     let mut commas = typed.match_indices(',').map(|(at, _)| at);
     let has_decimals =

@@ -1,6 +1,7 @@
 //! What is read in place of what was typed, where a spelling is recognized by more than its signs.
 
 use super::Passage;
+use super::words::FACTORS;
 
 /// A passage in other words than it was typed.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -31,4 +32,26 @@ pub(crate) fn of_own_variable(text: &str, variable: &str) -> Option<Reworded> {
     let other = OTHERS.iter().find(|other| **other == argument.trim())?;
     let is_free = !contains_letter(formula, variable) && formula.contains(other);
     is_free.then(|| Reworded::of(text.replace(other, variable)))
+}
+
+/// A formula with the numbers in it that are said in words, `half of m R^2`, `twice k`.
+pub(crate) fn of_spoken_numbers(text: &str) -> Option<Reworded> {
+    let mut words = text.split(' ').filter(|word| !word.is_empty()).peekable();
+    let (mut plain, mut count) = (String::new(), 0);
+    while let Some(word) = words.next() {
+        let found = FACTORS.iter().find(|(spoken, _)| *spoken == word);
+        let Some((_, number)) = found else {
+            plain.push_str(word);
+            plain.push(' ');
+            continue;
+        };
+        count += 1;
+        plain.push_str(number);
+        while words.next_if(|next| ["of", "the"].contains(next)).is_some() {}
+        let is_multiplied = words
+            .peek()
+            .is_some_and(|next| next.starts_with(['*', '/', '+', '-']));
+        plain.push_str(if is_multiplied { " " } else { "*" });
+    }
+    (count > 0).then(|| Reworded::of(plain))
 }

@@ -42,11 +42,13 @@ pub(crate) fn sides(text: &str, lexicon: &Lexicon) -> Result<Vec<Span>, TypedErr
     Ok(sides)
 }
 
-/// Where a symbol ends with its colon, `T: m v²/2`.
+/// Where a symbol ends with its colon, `T: m v²/2`. A letter of which the answer may be made is divided where no space
+/// stands after it, `M:l`.
 fn label(text: &str, lexicon: &Lexicon) -> Option<usize> {
     let at = text.find(':')?;
     let is_colon = !text[at + 1..].starts_with('=') && !text[..at].contains(['=', '≈']);
-    let is_symbol = is_colon && symbol(text[..at].trim(), lexicon).is_some();
+    let is_label = |symbol| symbol == Symbol::Asked || text[at + 1..].starts_with(' ');
+    let is_symbol = is_colon && symbol(text[..at].trim(), lexicon).is_some_and(is_label);
     is_symbol.then_some(at + 1)
 }
 

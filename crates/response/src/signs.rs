@@ -160,6 +160,11 @@ pub(crate) const RUNS: &[(&str, &str)] = &[
     (":=", "="),
     ("**", "^"),
     ("&&", "∩"),
+    // Raised and lowered signs of web pages.
+    ("<sub>", "_{"),
+    ("</sub>", "}"),
+    ("<sup>", "^{"),
+    ("</sup>", "}"),
     // Derivatives of Maple.
     ("t$2", "t,2"),
     ("(D@@2)", "ddot"),

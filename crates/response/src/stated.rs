@@ -3,7 +3,7 @@
 use super::defined::{Defined, Definition, Said, letter, said};
 use super::differential::leibniz;
 use super::letters::{combining, is_dotted};
-use super::sides::{is_word, last_side, without_arguments};
+use super::sides::{begins_with_function, is_word, last_side, without_arguments};
 use super::signs::is_apostrophe;
 use super::statements::{label, moved, statements};
 use super::{Lexicon, Manner, Passage, Trouble, Typed, TypedError, formula_at, sides};
@@ -51,7 +51,8 @@ impl<'t> Stated<'t> {
         // Of `ω_d = …, ω = …` the whole name says more than its letter.
         let worth = |own: &Span| {
             let label = label(own).map_or("", |label| &text[label.range()]);
-            (!label.starts_with('|'), label.chars().count())
+            let is_plain = !label.starts_with('|') && !begins_with_function(label);
+            (is_plain, label.chars().count())
         };
         let most = answering.iter().map(worth).max();
         let answering: Vec<Span> = answering
@@ -66,7 +67,7 @@ impl<'t> Stated<'t> {
                 let is_used = |own: &Span| {
                     let word = label(own).map_or("", |label| &text[label.range()]);
                     let mut others = all.iter().filter(|other| *other != own);
-                    !is_word(word) || others.any(|other| text[other.range()].contains(word))
+                    !is_letter(word) || others.any(|other| text[other.range()].contains(word))
                 };
                 let mut unused = all.iter().filter(|own| !is_used(own));
                 // `V(x) = …; V(0) = …`
@@ -75,9 +76,12 @@ impl<'t> Stated<'t> {
                     Some(without_arguments(&text[label.range()]))
                 };
                 let is_one = || all.iter().all(|own| bare(own) == bare(&first));
+                // `k x = m g, x = m g/k`
+                let mut named = all.iter().filter(|own| bare(own).is_some_and(is_letter));
                 match (unused.next(), unused.next()) {
                     (Some(main), None) => *main,
                     _ if is_one() => last,
+                    _ if named.next() == Some(&last) && named.next().is_none() => last,
                     _ => {
                         let range = last.range();
                         return Err(TypedError::new(Trouble::List, range.start, range.end));
@@ -245,6 +249,11 @@ impl<'t> Stated<'t> {
         });
         found.filter(|own| !is_of_answer(&own.name)).collect()
     }
+}
+
+/// Whether a label is one letter, and not a function of one, `tanθ`.
+fn is_letter(label: &str) -> bool {
+    is_word(label) && !begins_with_function(label)
 }
 
 /// Statements without what one of them is at some place, `V(0) = 0` beside `V(θ) = …`.

@@ -6,7 +6,7 @@ use super::letters::{Letters, combining, dotted, greek_word};
 use super::lexicon::LexiconEntry;
 use super::near::typable;
 use super::words::VELOCITIES;
-use vibank_formula::expr::{Constant, Expr, Function, Kind, Name};
+use vibank_formula::expr::{Constant, Expr, Function, Kind, Name, Operator};
 use vibank_notation::{Math, symbol};
 
 /// The words that a response may use.
@@ -184,15 +184,54 @@ pub(crate) const BARE: &[Function] = &[
     Function::Sign,
 ];
 
+/// What is written below the letter of a natural frequency.
+const INDICES: [&str; 4] = ["0", "n", "o", "N"];
+
+/// The only natural frequency among names, `ω_n`, if it may be used.
+fn natural_frequency(entries: &[LexiconEntry]) -> Option<&Name> {
+    let is_natural = |entry: &&LexiconEntry| {
+        let (LexiconEntry::Allowed(name, ..) | LexiconEntry::Forbidden(name)) = entry;
+        let spelling = Letters::spelling(name.as_str()).unwrap_or_default();
+        spelling
+            .strip_prefix("omega")
+            .is_some_and(|index| INDICES.contains(&index))
+    };
+    let mut found = entries.iter().filter(is_natural);
+    match (found.next()?, found.next()) {
+        (LexiconEntry::Allowed(name, ..), None) => Some(name),
+        _ => None,
+    }
+}
+
+const DECAY_RATES: [&str; 2] = ["lambda", "lam"];
+
+/// What the decay rate λ is in the damping ratio and the natural frequency, `ζ ω_n`, if both may be used.
+fn decay_rate(entries: &[LexiconEntry]) -> Option<Expr> {
+    const RATIOS: [&str; 2] = ["zeta", "xi"];
+    let is_ratio = |name: &Name| RATIOS.contains(&name.as_str());
+    let ratio = entries.iter().find_map(|entry| match entry {
+        LexiconEntry::Allowed(name, ..) => Some(name).filter(|name| is_ratio(name)),
+        LexiconEntry::Forbidden(_) => None,
+    })?;
+    let frequency = natural_frequency(entries)?;
+    let [ratio, frequency] = [ratio, frequency].map(|name| Expr::name(name.clone()).into());
+    let product = Kind::Binary(Operator::Multiply, ratio, frequency);
+    Some(Expr::derived(product))
+}
+
 impl Words {
     /// Functions, constants and the names of a part, in the order in which they were given.
     pub(crate) fn of(entries: &[LexiconEntry]) -> Self {
         let mut words = Self::common();
+        let decay_rate = decay_rate(entries);
+        // What can be said in the letters of the part may be said by its own letter.
+        let is_said = |name: &Name| decay_rate.is_some() && DECAY_RATES.contains(&name.as_str());
         for entry in entries {
             match entry {
                 LexiconEntry::Allowed(name, symbol, is_moving) => {
                     words.allow(name, symbol, *is_moving);
                 }
+                LexiconEntry::Forbidden(name) if is_said(name) => {}
                 LexiconEntry::Forbidden(name) => words.forbid(name),
             }
         }
@@ -200,6 +239,16 @@ impl Words {
         words.add_velocities();
         words.add_rates();
         words.add_bare_frequency(entries);
+        if let Some(name) = natural_frequency(entries) {
+            words.add_indices_of_frequency(name);
+        }
+        if let Some(rate) = decay_rate {
+            for word in DECAY_RATES {
+                if !words.knows(word) {
+                    words.add(word, WordSense::Leaf(rate.clone()), 0);
+                }
+            }
+        }
         words
     }
 
@@ -252,7 +301,6 @@ impl Words {
     /// `ω` for the natural frequency `ω_n` where the item has no other frequency of that letter and no angle whose rate it
     /// may be.
     fn add_bare_frequency(&mut self, entries: &[LexiconEntry]) {
-        const INDICES: [&str; 4] = ["0", "n", "o", "N"];
         const ANGLES: [&str; 3] = ["theta", "phi", "alpha"];
         let mut only = None;
         for entry in entries {
@@ -282,6 +330,18 @@ impl Words {
         for word in ["omega", "w"] {
             if !self.knows(word) {
                 self.add(word, WordSense::Leaf(Expr::name(name.clone())), 0);
+            }
+        }
+    }
+
+    /// `ω_0` for the natural frequency `ω_n`, and the other way round.
+    fn add_indices_of_frequency(&mut self, name: &Name) {
+        for letter in ["omega", "w"] {
+            for index in INDICES {
+                let word = format!("{letter}{index}");
+                if !self.knows(&word) {
+                    self.add(&word, WordSense::Leaf(Expr::name(name.clone())), 0);
+                }
             }
         }
     }

@@ -405,6 +405,15 @@ pub(crate) const LEADS: &[&str] = &[
     "équation du mouvement",
     "équation",
     "bewegungsgleichung",
+    "column vector",
+    "row vector",
+    "proportional to",
+    "∝",
+    "any multiple of",
+    "multiples of",
+    "newton gives",
+    "newton",
+    "lagrange gives",
     "lambda t",
     "==>",
     "@(t)",
@@ -472,6 +481,7 @@ pub(crate) const TRAILS: &[&str] = &[
     "without units",
     ", t in s",
     ", t in seconds",
+    ", that is all",
     "times larger",
     "times bigger",
     "times higher",
@@ -721,6 +731,19 @@ pub(crate) const ASIDES: &[&str] = &[
 pub(crate) const ROOTS: &[&str] = &[
     "racine", "RACINE", "Racine", "wurzel", "WURZEL", "Wurzel", "raiz", "RAIZ", "raíz", "RAÍZ",
     "radq", "RADQ",
+];
+
+/// Numbers in words before what they multiply.
+pub(crate) const FACTORS: &[(&str, &str)] = &[
+    ("half", "(1/2)"),
+    ("twice", "2"),
+    ("double", "2"),
+    ("two", "2"),
+    ("three", "3"),
+    ("four", "4"),
+    ("five", "5"),
+    ("six", "6"),
+    ("eight", "8"),
 ];
 
 /// Roots in words, the longer ones before those with which they begin.

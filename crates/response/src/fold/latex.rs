@@ -161,6 +161,11 @@ impl Folder<'_> {
             return;
         }
         let length = 1 + name.len();
+        if matches!(name, "frac" | "dfrac" | "tfrac" | "cfrac")
+            && let Some((fraction, length)) = bare_fraction(&typed[self.at + length..])
+        {
+            return self.write(&fraction, 1 + name.len() + length);
+        }
         // Options, `\SI[per-mode=symbol]{…}`, say how it is set.
         let option = self.typed[self.at + length..].strip_prefix('[');
         let option = option.and_then(|option| Some(option.find(']')? + 2));
@@ -266,6 +271,59 @@ impl Folder<'_> {
         let quotient = format!("\\frac{{d{power} {of}}}{{d{by}{power}}}");
         self.write(&quotient, braces[3] + 1 - self.at);
         true
+    }
+}
+
+/// `\frac` with one sign for a part, `\frac12` and `\frac d5`, in braces, and how long those parts are.
+fn bare_fraction(text: &str) -> Option<(String, usize)> {
+    let (above, rest) = sign_of_part(text)?;
+    match sign_of_part(rest) {
+        Some((below, rest)) => Some((
+            format!("\\frac{{{above}}}{{{below}}}"),
+            text.len() - rest.len(),
+        )),
+        None => Some((format!("\\frac{{{above}}}"), text.len() - rest.len())),
+    }
+}
+
+/// The letter, digit or command that is an argument without braces, and what comes after it.
+fn sign_of_part(text: &str) -> Option<(&str, &str)> {
+    let own = text.trim_start();
+    let first = own.chars().next()?;
+    let length = match first {
+        '\\' => {
+            let name = &own[1..];
+            let end = name.find(|char: char| !char.is_ascii_alphabetic());
+            let end = end.unwrap_or(name.len());
+            greek_word(&name[..end])?;
+            1 + end
+        }
+        first if first.is_alphanumeric() => first.len_utf8(),
+        _ => return None,
+    };
+    Some(own.split_at(length))
+}
+
+impl Folder<'_> {
+    /// `{\ddot x}_1`, as some programs set the index of a rate, without the braces.
+    pub(crate) fn dotted_group(&mut self) -> bool {
+        let rest = self.rest();
+        let group = rest.strip_prefix('{').and_then(|rest| rest.split_once('}'));
+        let Some((inner, behind)) = group.filter(|(_, behind)| behind.starts_with('_')) else {
+            return false;
+        };
+        let dots = ["\\ddot", "\\dot"]
+            .iter()
+            .find(|dots| inner.starts_with(**dots));
+        let Some(letter) = dots.map(|dots| &inner[dots.len()..]) else {
+            return false;
+        };
+        let is_letter = sign_of_part(letter).is_some_and(|(_, rest)| rest.trim().is_empty());
+        if is_letter {
+            let (plain, length) = (inner.to_owned(), rest.len() - behind.len());
+            self.write(&plain, length);
+        }
+        is_letter
     }
 }
 

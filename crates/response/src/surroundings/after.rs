@@ -6,7 +6,7 @@ use crate::counts::in_words;
 use crate::letters::{combining, greek_word};
 use crate::signs::{is_apostrophe, is_minus};
 use crate::vocabulary::ALIASES;
-use crate::words::{ASIDES, ENDS, OF_MINUS, REASONS, REMARKS, SEALS, TRAILS, TURNING};
+use crate::words::{ASIDES, ENDS, OF_MINUS, REASONS, REMARKS, SEALS, TRAILS, TURNING, WORDS};
 use vibank_formula::expr::Function;
 use vibank_formula::unit::Unit;
 use vibank_source::lower;
@@ -50,6 +50,11 @@ pub(crate) fn trail(text: &str) -> Option<usize> {
     if text.ends_with(">.") {
         return Some(1);
     }
+    // Who asks whether it is right has answered.
+    if let Some(before) = text.strip_suffix('?') {
+        let ends = |last: char| last.is_alphanumeric() || ")]}°%²³'".contains(last);
+        return before.trim_end().ends_with(ends).then_some(1);
+    }
     if let Some(before) = text.strip_suffix('!') {
         // `3!` is a factorial. The French set a space before the mark.
         let ends = |last: char| last.is_alphabetic() || before.ends_with(' ');
@@ -70,7 +75,7 @@ fn aside(text: &str) -> Option<usize> {
         .iter()
         .find_map(|(close, open)| text.strip_suffix(*close)?.rsplit_once(open))?;
     let length = || Some(text.len() - before.len());
-    if aside == "1" && before.contains('=') {
+    if aside.starts_with("see ") || aside == "1" && before.contains('=') {
         return length();
     }
     // `overdamped (ζ > 1)`
@@ -187,9 +192,13 @@ fn is_of_formula(word: &str) -> bool {
     is_letter(word) || names.any(is_call)
 }
 
-/// Whether a word stands for a sign in a formula, `(x double dot)`.
+/// Whether a word stands for a sign in a formula, `(x double dot)`, `(k over m)`.
 fn is_spoken_sign(word: &str) -> bool {
-    ["double", "dot", "prime", "times"].contains(&lower(word).as_str())
+    const SIGNS: [&str; 6] = ["+", "-", "*", "/", "^2", "^3"];
+    const OPERATIONS: [&str; 5] = ["double", "dot", "prime", "square", "root"];
+    let word = lower(word);
+    let mut signs = WORDS.iter().filter(|(_, plain)| SIGNS.contains(plain));
+    OPERATIONS.contains(&word.as_str()) || signs.any(|(own, _)| *own == word)
 }
 
 /// The length of what says for which body an equation of motion holds: `… = 0 (block 1)`, `… = 0 for cart 1`,

@@ -41,7 +41,7 @@ pub(crate) fn lead(text: &str) -> Option<usize> {
             Some(behind) => &behind[behind.len() - without_marks(behind)..],
             None => {
                 let behind = behind.strip_prefix([',', '，']).unwrap_or(behind);
-                let is_sign = lead.ends_with(['>', '→', '⇒', '⟹', '∴']);
+                let is_sign = lead.ends_with(['>', '→', '⇒', '⟹', '∴', '∝']);
                 let is_apart =
                     behind.starts_with([' ', '\n']) || is_sign || is_of_one_word_a_sign(lead);
                 is_apart.then_some(behind)?

@@ -87,6 +87,10 @@ pub(crate) fn enumeration(text: &str) -> Vec<Range<usize>> {
     ];
     let start = text.trim_start();
     let head = start.strip_prefix('(').unwrap_or(start);
+    let rows = rows_in_words(text);
+    if !rows.is_empty() {
+        return rows;
+    }
     let is_label = head.starts_with(['1', 'a']) && matches!(head.get(1..3), Some(") " | ". "));
     if !is_label {
         return Vec::new();
@@ -99,6 +103,25 @@ pub(crate) fn enumeration(text: &str) -> Vec<Range<usize>> {
     found
         .find(|labels: &Vec<_>| !labels.is_empty())
         .unwrap_or_default()
+}
+
+/// The words before the rows of a matrix, `first row: …; second row: …`.
+fn rows_in_words(text: &str) -> Vec<Range<usize>> {
+    const ROWS: [&[&str]; 2] = [
+        &["first row:", "second row:", "third row:"],
+        &["row 1:", "row 2:", "row 3:"],
+    ];
+    let start = text.len() - text.trim_start().len();
+    let head = &text[start..];
+    let Some(words) = ROWS.iter().find(|words| head.starts_with(words[0])) else {
+        return Vec::new();
+    };
+    let found = words.iter().map_while(|words| {
+        let at = text.find(words)?;
+        Some(at..at + words.len())
+    });
+    let found: Vec<_> = found.collect();
+    if found.len() > 1 { found } else { Vec::new() }
 }
 
 /// The labels of one style that follow each other in a text, the first one at its start.

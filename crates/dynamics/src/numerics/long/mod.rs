@@ -26,7 +26,7 @@ const LN_2: Long = Long {
     exponent: -256,
 };
 
-/// π/2 as a sum of three parts of 192 bits, whose products with numbers of 53 bits are exact.
+/// π/2 as a sum of three parts of 192 bits; products of the first with numbers of 53 bits are exact.
 const HALF_PI: [Long; 3] = [
     Long {
         is_negative: false,
@@ -318,16 +318,34 @@ impl Long {
         sum
     }
 
-    /// What is left of an angle without the nearest multiple of a right angle, and that multiple modulo four.
+    /// What is left of an angle without the nearest multiple of a right angle, and that multiple modulo four. A step takes
+    /// the 53 bits that a number of turns can have, exactly by the first part of π/2; the others follow at the end, where
+    /// they cancel nothing.
     fn reduced(self) -> (Self, i32) {
-        let turns = (self.to_f64() / std::f64::consts::FRAC_PI_2).round();
-        let rest = HALF_PI
+        let [first, others @ ..] = HALF_PI;
+        let (mut rest, mut total, mut quarter) = (self, Self::ZERO, 0);
+        if self.abs() > Self::from(Self::MAX_ANGLE) {
+            return (Self::ZERO, 0);
+        }
+        loop {
+            let turns = (rest.to_f64() / std::f64::consts::FRAC_PI_2).round();
+            rest = rest - first * Self::from(turns);
+            total = total + Self::from(turns);
+            quarter = (quarter + turns.rem_euclid(4.0) as i32) % 4;
+            if turns.abs() <= 1.0 {
+                break;
+            }
+        }
+        let rest = others
             .into_iter()
-            .fold(self, |rest, part| rest - part * Self::from(turns));
-        (rest, turns.rem_euclid(4.0) as i32)
+            .fold(rest, |rest, part| rest - part * total);
+        (rest, quarter)
     }
 
-    /// Sine.
+    /// The largest angle of which π/2 has enough digits for the sine to be known to all of its own.
+    pub const MAX_ANGLE: f64 = 1.5e54;
+
+    /// Sine; of angles beyond [`Self::MAX_ANGLE`] any number between −1 and 1.
     #[must_use]
     pub fn sin(self) -> Self {
         let (rest, quarter) = self.reduced();
@@ -339,7 +357,7 @@ impl Long {
         if quarter < 2 { value } else { -value }
     }
 
-    /// Cosine.
+    /// Cosine; of angles beyond [`Self::MAX_ANGLE`] any number between −1 and 1.
     #[must_use]
     pub fn cos(self) -> Self {
         let (rest, quarter) = self.reduced();

@@ -73,6 +73,15 @@ impl<T: Real> Approx<T> {
         self.size() - self.bound
     }
 
+    /// Bound on the error of its sine or cosine that its own error makes.
+    fn bound_of_sine(&self) -> f64 {
+        if self.size() <= T::MAX_ANGLE {
+            self.bound.min(2.0)
+        } else {
+            2.0
+        }
+    }
+
     /// Whether it cannot be told from zero.
     #[inline]
     fn is_zero(&self) -> bool {
@@ -461,8 +470,8 @@ impl<T: Real> Scalar for Approx<T> {
             Function::Exp => self.exp(),
             Function::Ln => self.ln()?,
             Function::Log10 => self.log10()?,
-            Function::Sin => Self::function(x.sin(), bound.min(2.0)),
-            Function::Cos => Self::function(x.cos(), bound.min(2.0)),
+            Function::Sin => Self::function(x.sin(), self.bound_of_sine()),
+            Function::Cos => Self::function(x.cos(), self.bound_of_sine()),
             Function::Tan => self.tan()?,
             Function::Asin => self.arc(function, T::asin, doubt)?,
             Function::Acos => self.arc(function, T::acos, doubt)?,

@@ -20,6 +20,8 @@ pub trait Real:
     const FUNCTION: f64;
     /// π to working precision.
     const PI: Self;
+    /// The largest angle whose sine is known to the relative error of functions.
+    const MAX_ANGLE: f64 = f64::MAX;
     /// Whether roots and integrals are searched with it: with most digits they would take too long.
     const SEARCHES: bool = true;
 
@@ -281,6 +283,7 @@ impl Real for Long {
     // 2^-256 is 9e-78: seven digits are in reserve for what the functions lose.
     const FUNCTION: f64 = 1e-70;
     const PI: Self = Long::PI;
+    const MAX_ANGLE: f64 = Long::MAX_ANGLE;
     const SEARCHES: bool = false;
 
     fn of_pair(high: f64, low: f64) -> Self {
