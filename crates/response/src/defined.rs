@@ -7,6 +7,7 @@ use super::list::{cut_where, trimmed};
 use super::sides::{is_word, without_arguments};
 use super::signs::is_apostrophe;
 use super::statements::{moved, statements};
+use super::vocabulary::DECAY_RATES;
 use super::words::RATES;
 use super::{Chain, Lexicon, Manner, Passage, Trouble, Typed, TypedError, formula_at, sides};
 use vibank_formula::expr::{Expr, Function, Kind, Name, Operator, Substitution};
@@ -58,10 +59,14 @@ pub(crate) fn said(text: &str, statement: Span, lexicon: &Lexicon, may_be_produc
     if sides.len() < 2 {
         return Said::Equation;
     }
-    let read = |side: Option<&Span>| {
+    let read = |side: Option<&Span>, may_be_product| {
         side.and_then(|side| letter(&text[side.range()], lexicon, may_be_product))
     };
-    let (first, last) = (read(sides.first()), read(sides.last()));
+    // What a letter is, `k = ρgS`, is no letter of its own.
+    let (first, last) = (
+        read(sides.first(), may_be_product),
+        read(sides.last(), false),
+    );
     let letter = match (first, last) {
         // `θ' = ω`
         (first, Some(last)) if !last.is_known && first.as_ref().is_none_or(|own| own.is_known) => {
@@ -317,7 +322,12 @@ pub(crate) fn letter(text: &str, lexicon: &Lexicon, may_be_product: bool) -> Opt
         };
         // `me` is a letter of its own where something is said of it.
         let is_product = matches!(inner, Kind::Binary(Operator::Multiply, ..));
-        if may_be_product && is_product && order == 0 && is_word(word) {
+        // Of λ more can be said than that it is ζ ω_n.
+        let is_own = may_be_product
+            || DECAY_RATES
+                .iter()
+                .any(|own| spelling(word).as_deref() == Some(own));
+        if is_own && is_product && order == 0 && is_word(word) {
             return own_letter(word, lexicon, squared.is_some());
         }
         let Kind::Name(name) = inner else { return None };

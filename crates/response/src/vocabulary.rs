@@ -203,7 +203,8 @@ fn natural_frequency(entries: &[LexiconEntry]) -> Option<&Name> {
     }
 }
 
-const DECAY_RATES: [&str; 2] = ["lambda", "lam"];
+/// The letter of the decay rate.
+pub(crate) const DECAY_RATES: [&str; 2] = ["lambda", "lam"];
 
 /// What the decay rate λ is in the damping ratio and the natural frequency, `ζ ω_n`, if both may be used.
 fn decay_rate(entries: &[LexiconEntry]) -> Option<Expr> {
