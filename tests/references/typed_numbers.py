@@ -117,11 +117,13 @@ for asked, responses in {
     for response in responses:
         row(asked, response, "unreadable")
 same("m", "5", "about 5")
+same("m", "5", "5 m?")
 # Not to be read, or only by guessing.
 for response in [
     "m", "x", "twelve", "1.2.3", "1,2,3", "1 2", "5 m 3", "5 mm 3 cm", "5 ± 0.1", "5 +/- 0.1 m", "4-5 m", "19-21", "2e", "2e m", "5e- m", "5 furlong", "5 N/m s", "5 J/kg·K",
-    "5 kgs", "5 m)", "(5 m", "5 m^x", "5 m^0", "1/0", "1/0 m", "sqrt(-1) m", "5 i", "3 - 4i", "inf", "∞ m", "NaN", "1e999", "10^400 m", "5 m?", "5 m or 6 m", "5; 6", "[5, 6]", "3 1/2 m", "2**", "sqrt() m",
+    "5 kgs", "5 m)", "(5 m", "5 m^x", "5 m^0", "1/0", "1/0 m", "sqrt(-1) m", "5 i", "3 - 4i", "inf", "∞ m", "NaN", "1e999", "10^400 m", "5 m or 6 m", "5; 6", "[5, 6]", "3 1/2 m", "2**", "sqrt() m",
     "m 5", "5 m/", "5 per", "x = ", "=", "ln(0)", "pi pi pi m n", "5..6", "1 .. 2 m",
+    "1{,}.796 m", "0.333sin 933333333333333333333333333333333", "sin(exp(700))",
 ]:
     row("m", response, "unreadable")
 

@@ -133,7 +133,15 @@ impl Parser<'_> {
             let argument = self.goes_on_bare(first, false, is_root)?;
             return Self::counted(function, vec![argument], open);
         }
-        let arguments = self.listed()?;
+        let mut arguments = self.listed()?;
+        // `cos(ω_n) t`, where only so it makes sense.
+        if let [argument] = &arguments[..]
+            && function != Function::Sqrt
+            && let Some(end) = self.end_at_time(argument)
+            && self.ways.choose(Doubtful::Argument, false)
+        {
+            arguments = vec![self.times(argument.clone(), end)?];
+        }
         Self::counted(function, arguments, open)
     }
 

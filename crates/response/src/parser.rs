@@ -164,7 +164,8 @@ impl<'a> Parser<'a> {
                     let right = self.signed()?;
                     left = Self::binary(Operator::Multiply, left, right)?;
                 }
-                Some(Item::Sign('/')) => {
+                // `M:l`
+                Some(Item::Sign(sign)) if *sign == '/' || *sign == ':' && !self.has_units() => {
                     self.at += 1;
                     let divisor = self.divisor(&left)?;
                     left = Self::binary(Operator::Divide, left, divisor)?;
@@ -176,7 +177,7 @@ impl<'a> Parser<'a> {
                     left = Self::polar(left, angle, span)?;
                 }
                 // `√(50:2)`; of values a colon outside of brackets comes after a name, or in a time of day.
-                Some(Item::Sign(':')) if !self.has_units() || self.depth > 0 => {
+                Some(Item::Sign(':')) if self.depth > 0 => {
                     self.at += 1;
                     let right = self.signed()?;
                     left = Self::binary(Operator::Divide, left, right)?;

@@ -375,7 +375,7 @@ fn what_may_be_meant_otherwise_has_other_readings() {
         ("e^-k m", "e^(-k)*m", &["e^(-(k*m))"]),
         ("k cos x·t", "k*cos(x*t)", &["k*cos(x)*t"]),
         ("k cos x·m", "k*cos(x)*m", &[]),
-        ("k cos(x) t", "k*cos(x)*t", &[]),
+        ("k cos(x) t", "k*cos(x)*t", &["k*cos(x*t)"]),
         (
             "e^-kt(m + x)",
             "e^(-(k*t))*(m + x)",
