@@ -223,7 +223,10 @@ pub(crate) fn largest_magnitude(values: &[f64]) -> f64 {
     let chunks = values.chunks_exact(LANES);
     let rest = chunks.remainder();
     for chunk in chunks {
-        lanes.iter_mut().zip(chunk).for_each(|(lane, x)| keep(lane, x));
+        lanes
+            .iter_mut()
+            .zip(chunk)
+            .for_each(|(lane, x)| keep(lane, x));
     }
     let mut largest = 0.0;
     lanes.iter().chain(rest).for_each(|x| keep(&mut largest, x));
