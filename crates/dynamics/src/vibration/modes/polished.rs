@@ -227,7 +227,8 @@ impl Scaled {
         shapes
     }
 
-    /// `M φ` for each shape.
+    /// `M φ` for each shape. Components that are so small that the errors of their products leave the range of numbers add
+    /// nothing to any sum.
     fn momenta(&self, shapes: &[f64], split: &Split) -> Split {
         match &self.inertia {
             ScaledInertia::Masses(masses) => {
