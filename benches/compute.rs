@@ -6,7 +6,7 @@
 //!
 //! The yardstick Y is one exponential and one pair of sine and cosine. SciPy's `eigh` solves the same systems in a process of
 //! its own, on one thread, without reading or printing them; where there is no Python with SciPy, a word says so.
-//! `PYTHON` names the interpreter. Processor time, since the machine may have others to serve.
+//! `PYTHON` names the interpreter. Processor time, since the machine may have others to serve; the allocator of the program.
 #![allow(
     clippy::disallowed_methods,
     clippy::print_stdout,
@@ -21,6 +21,11 @@ use std::time::Instant;
 
 use vibank::compute::answer;
 use vibank::numerics::{exp, sin_cos};
+
+/// That of the program.
+#[cfg(feature = "cli")]
+#[global_allocator]
+static ALLOCATOR: mimalloc::MiMalloc = mimalloc::MiMalloc;
 
 /// A request, and how many times it tells the state.
 struct Row {

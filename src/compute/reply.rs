@@ -8,7 +8,7 @@ use crate::vibration::State;
 #[derive(Default)]
 pub(crate) struct ResultReply {
     /// The members of the object so far.
-    text: Vec<u8>,
+    text: String,
     /// The first result that is not a finite number.
     overflow: Option<&'static str>,
 }
@@ -29,7 +29,7 @@ impl ResultReply {
     pub(crate) fn count(mut self, name: &'static str, value: Option<u64>) -> Self {
         self.key(name);
         let text = value.map_or_else(|| "null".to_owned(), |value| value.to_string());
-        self.text.extend_from_slice(text.as_bytes());
+        self.text.push_str(&text);
         self
     }
 
@@ -43,9 +43,9 @@ impl ResultReply {
     /// Adds a word, which needs no escapes.
     pub(crate) fn word(mut self, name: &'static str, word: &str) -> Self {
         self.key(name);
-        self.text.push(b'"');
-        self.text.extend_from_slice(word.as_bytes());
-        self.text.push(b'"');
+        self.text.push('"');
+        self.text.push_str(word);
+        self.text.push('"');
         self
     }
 
@@ -67,12 +67,12 @@ impl ResultReply {
         values: impl IntoIterator<Item = Option<f64>>,
     ) -> Self {
         self.key(name);
-        self.text.push(b'[');
+        self.text.push('[');
         for (i, value) in values.into_iter().enumerate() {
             self.separate(i);
             self.value_or_null(value);
         }
-        self.text.push(b']');
+        self.text.push(']');
         self
     }
 
@@ -87,12 +87,12 @@ impl ResultReply {
         // At once: a text of a million bytes is moved as often as it grows.
         let count: usize = vectors.iter().map(|vector| vector.len()).sum();
         self.text.reserve(MAX_NUMBER_LENGTH * count);
-        self.text.push(b'[');
+        self.text.push('[');
         for (i, vector) in vectors.into_iter().enumerate() {
             self.separate(i);
             self.values(name, vector.iter().copied());
         }
-        self.text.push(b']');
+        self.text.push(']');
         self
     }
 
@@ -118,7 +118,7 @@ impl ResultReply {
     }
 
     /// The members of the object, unless a number left its range.
-    pub(crate) fn finish(self) -> Result<Vec<u8>, RequestError> {
+    pub(crate) fn finish(self) -> Result<String, RequestError> {
         match self.overflow {
             Some(name) => Err(RequestError::NotFinite { name }),
             None => Ok(self.text),
@@ -127,39 +127,42 @@ impl ResultReply {
 
     fn key(&mut self, name: &str) {
         self.separate(self.text.len());
-        self.text.push(b'"');
-        self.text.extend_from_slice(name.as_bytes());
-        self.text.extend_from_slice(b"\":");
+        self.text.push('"');
+        self.text.push_str(name);
+        self.text.push_str("\":");
     }
 
     /// A comma before all but the first.
     fn separate(&mut self, position: usize) {
         if position > 0 {
-            self.text.push(b',');
+            self.text.push(',');
         }
     }
 
     fn values(&mut self, name: &'static str, values: impl IntoIterator<Item = f64>) {
-        self.text.push(b'[');
-        for (i, value) in values.into_iter().enumerate() {
+        let values = values.into_iter();
+        self.text.reserve(MAX_NUMBER_LENGTH * values.size_hint().0);
+        self.text.push('[');
+        for (i, value) in values.enumerate() {
             self.separate(i);
             self.value(name, value);
         }
-        self.text.push(b']');
+        self.text.push(']');
     }
 
     fn value_or_null(&mut self, value: Option<f64>) {
         match value.filter(|value| value.is_finite()) {
             Some(value) => self.value("", value),
-            None => self.text.extend_from_slice(b"null"),
+            None => self.text.push_str("null"),
         }
     }
 
     /// The shortest decimal that reads back to the same number.
     fn value(&mut self, name: &'static str, value: f64) {
-        if !value.is_finite() {
+        if value.is_finite() {
+            self.text.push_str(zmij::Buffer::new().format_finite(value));
+        } else {
             self.overflow.get_or_insert(name);
         }
-        serde_json::to_writer(&mut self.text, &value).expect("a number is plain data");
     }
 }

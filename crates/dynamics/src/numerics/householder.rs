@@ -272,47 +272,51 @@ fn two_columns(
     image: &mut [f64],
     [[va, wa, na], [vb, wb, nb]]: [[f64; 3]; 2],
 ) -> [f64; 2] {
-    let length = a.len();
-    let (b, v, w, next, image) = (
-        &mut b[..length],
-        &v[..length],
-        &w[..length],
-        &next[..length],
-        &mut image[..length],
-    );
+    let (a, a_rest) = a.as_chunks_mut::<LANES>();
+    let (b, b_rest) = b.as_chunks_mut::<LANES>();
+    let (v, v_rest) = v.as_chunks::<LANES>();
+    let (w, w_rest) = w.as_chunks::<LANES>();
+    let (next, next_rest) = next.as_chunks::<LANES>();
+    let (image, image_rest) = image.as_chunks_mut::<LANES>();
     let (mut sum_a, mut sum_b) = ([0.0; LANES], [0.0; LANES]);
-    let mut start = 0;
-    while start + LANES <= length {
-        let range = start..start + LANES;
-        let (a, b, image) = (
-            &mut a[range.clone()],
-            &mut b[range.clone()],
-            &mut image[range.clone()],
-        );
-        let (v, w, next) = (&v[range.clone()], &w[range.clone()], &next[range]);
-        for l in 0..LANES {
-            let x = a[l] - (v[l] * wa + w[l] * va);
-            let y = b[l] - (v[l] * wb + w[l] * vb);
-            a[l] = x;
-            b[l] = y;
-            image[l] += x * na + y * nb;
-            sum_a[l] += x * next[l];
-            sum_b[l] += y * next[l];
+    let columns = a.iter_mut().zip(b).zip(image);
+    for (((a, b), image), ((v, w), next)) in columns.zip(v.iter().zip(w).zip(next)) {
+        let x = column_step(a, [v, w], [va, wa]);
+        let y = column_step(b, [v, w], [vb, wb]);
+        // A loop for each result: the compiler then keeps lanes side by side.
+        for lane in 0..LANES {
+            image[lane] += x[lane] * na + y[lane] * nb;
         }
-        start += LANES;
+        for lane in 0..LANES {
+            sum_a[lane] += x[lane] * next[lane];
+        }
+        for lane in 0..LANES {
+            sum_b[lane] += y[lane] * next[lane];
+        }
     }
     let (mut rest_a, mut rest_b) = (0.0, 0.0);
-    for i in start..length {
-        let x = a[i] - (v[i] * wa + w[i] * va);
-        let y = b[i] - (v[i] * wb + w[i] * vb);
-        a[i] = x;
-        b[i] = y;
-        image[i] += x * na + y * nb;
-        rest_a += x * next[i];
-        rest_b += y * next[i];
+    let columns = a_rest.iter_mut().zip(b_rest).zip(image_rest);
+    for (((a, b), image), ((v, w), next)) in columns.zip(v_rest.iter().zip(w_rest).zip(next_rest)) {
+        *a -= v * wa + w * va;
+        *b -= v * wb + w * vb;
+        *image += *a * na + *b * nb;
+        rest_a += *a * next;
+        rest_b += *b * next;
     }
     let total = |[p, q, r, s]: [f64; LANES]| (p + r) + (q + s);
     [total(sum_a) + rest_a, total(sum_b) + rest_b]
+}
+
+/// `a <- a - v w_j - w v_j` in some rows of column j; returns them.
+fn column_step(
+    a: &mut [f64; LANES],
+    [v, w]: [&[f64; LANES]; 2],
+    [vj, wj]: [f64; 2],
+) -> [f64; LANES] {
+    for lane in 0..LANES {
+        a[lane] -= v[lane] * wj + w[lane] * vj;
+    }
+    *a
 }
 
 #[cfg(test)]

@@ -210,6 +210,29 @@ impl Rotation {
     }
 }
 
+/// The largest magnitude; zero of nothing. What is not a number does not count.
+pub(crate) fn largest_magnitude(values: &[f64]) -> f64 {
+    const LANES: usize = 8;
+    let mut lanes = [0.0_f64; LANES];
+    // A comparison and not `max`, which would look after numbers that are none in every step.
+    let keep = |largest: &mut f64, x: &f64| {
+        if x.abs() > *largest {
+            *largest = x.abs();
+        }
+    };
+    let chunks = values.chunks_exact(LANES);
+    let rest = chunks.remainder();
+    for chunk in chunks {
+        lanes
+            .iter_mut()
+            .zip(chunk)
+            .for_each(|(lane, x)| keep(lane, x));
+    }
+    let mut largest = 0.0;
+    lanes.iter().chain(rest).for_each(|x| keep(&mut largest, x));
+    largest
+}
+
 /// The inner product, in eight partial sums of fixed order.
 pub(crate) fn dot(x: &[f64], y: &[f64]) -> f64 {
     let (x, y) = (x, &y[..x.len()]);

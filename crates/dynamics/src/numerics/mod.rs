@@ -52,6 +52,7 @@ pub use elliptic::{
     JacobiFunctions, JacobiValues, agm, agm_dd, carlson_rd, carlson_rf, complete_elliptic_first,
     complete_elliptic_second, elliptic_first, elliptic_second,
 };
+pub(crate) use exact::ordinary_product;
 pub use exact::{diff_of_products, fast_two_sum, sum_of_products, two_prod, two_sum};
 pub use exact_number::{ExactNumber, sign_of_sum};
 pub use long::Long;

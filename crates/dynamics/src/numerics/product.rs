@@ -10,40 +10,37 @@ pub(crate) fn product(a: &[f64], b: &[f64], rows: usize) -> Vec<f64> {
     let mut result = vec![0.0; rows * columns];
     let mut packed = vec![[0.0; TILE]; inner];
     for first in (0..rows).step_by(TILE) {
-        let height = TILE.min(rows - first);
         for (entries, column) in packed.iter_mut().zip(a.chunks_exact(rows)) {
-            entries[..height].copy_from_slice(&column[first..first + height]);
+            copy_tile(&column[first..], entries);
         }
         for (b, result) in b.chunks(TILE * inner).zip(result.chunks_mut(TILE * rows)) {
-            let sums = tile(&packed, b);
+            // The first column stands in for those that are missing after the last: what comes of it is dropped.
+            let columns = std::array::from_fn(|j| {
+                let column = b.get(j * inner..(j + 1) * inner);
+                column.unwrap_or(&b[..inner])
+            });
+            let sums = tile(&packed, columns);
             for (sums, column) in sums.iter().zip(result.chunks_exact_mut(rows)) {
-                column[first..first + height].copy_from_slice(&sums[..height]);
+                copy_tile(sums, &mut column[first..]);
             }
         }
     }
     result
 }
 
-/// Rows of a product with up to four columns.
-fn tile(packed: &[[f64; TILE]], b: &[f64]) -> [[f64; TILE]; TILE] {
-    let inner = packed.len();
-    let mut sums = [[0.0; TILE]; TILE];
-    if b.len() < TILE * inner {
-        for (sums, column) in sums.iter_mut().zip(b.chunks_exact(inner)) {
-            for (entries, factor) in packed.iter().zip(column) {
-                for (sum, entry) in sums.iter_mut().zip(entries) {
-                    *sum += entry * factor;
-                }
-            }
-        }
-        return sums;
+/// Copies the first entries, as many as a tile has, or all that there are.
+fn copy_tile(from: &[f64], to: &mut [f64]) {
+    match (from.first_chunk::<TILE>(), to.first_chunk_mut::<TILE>()) {
+        (Some(from), Some(to)) => *to = *from,
+        _ => to.iter_mut().zip(from).for_each(|(to, from)| *to = *from),
     }
-    let (first, rest) = b.split_at(inner);
-    let (second, rest) = rest.split_at(inner);
-    let (third, fourth) = rest.split_at(inner);
-    let fourth = &fourth[..inner];
-    for k in 0..inner {
-        let entries = packed[k];
+}
+
+/// Rows of a product with four columns.
+fn tile(packed: &[[f64; TILE]], columns: [&[f64]; TILE]) -> [[f64; TILE]; TILE] {
+    let mut sums = [[0.0; TILE]; TILE];
+    let [first, second, third, fourth] = columns.map(|column| &column[..packed.len()]);
+    for (k, entries) in packed.iter().enumerate() {
         let factors = [first[k], second[k], third[k], fourth[k]];
         for (sums, factor) in sums.iter_mut().zip(factors) {
             for (sum, entry) in sums.iter_mut().zip(entries) {

@@ -50,6 +50,10 @@ pub(crate) fn eigenvalues(diagonal: &[f64], off_diagonal: &[f64]) -> Option<Vec<
     diagonal.iter().all(|x| x.is_finite()).then_some(diagonal)
 }
 
+/// Products of two pivots up to this are zero: one of them is too small to turn anything, and where they are larger, squares
+/// of what they turn stay in range.
+const TINY_PRODUCT: f64 = 1e-200;
+
 /// One pass of the root-free QL algorithm, which makes the first square small.
 fn pass(diagonal: &mut [f64], squares: &mut [f64]) {
     let last = squares.len();
@@ -68,18 +72,23 @@ fn pass(diagonal: &mut [f64], squares: &mut [f64]) {
         if i + 1 < last {
             squares[i + 1] = sine * r;
         }
-        let inverse = 1.0 / r;
-        let before = cosine;
-        cosine = p * inverse;
-        sine = square * inverse;
-        gamma = cosine * (alpha - shift) - sine * old;
-        diagonal[i + 1] = old + (alpha - gamma);
-        // Where the pivot vanished, r/p is 0/0; this is its limit.
-        p = if cosine == 0.0 {
-            before * square
+        let product = p * r;
+        if product > TINY_PRODUCT {
+            // One quotient, of which the next p waits for no more than a product.
+            let inverse = 1.0 / product;
+            let difference = p * (alpha - shift) - square * old;
+            let over_r = p * inverse;
+            cosine = p * over_r;
+            sine = square * over_r;
+            gamma = difference * over_r;
+            p = difference * difference * inverse;
         } else {
-            gamma * gamma * (r / p)
-        };
+            // The limits where the pivot vanished.
+            p = cosine * square;
+            (cosine, sine) = (0.0, 1.0);
+            gamma = -old;
+        }
+        diagonal[i + 1] = old + (alpha - gamma);
     }
     squares[0] = sine * p;
     diagonal[0] = shift + gamma;

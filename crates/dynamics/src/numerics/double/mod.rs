@@ -255,6 +255,14 @@ impl Dd {
         }
     }
 
+    /// `self * factor` for a product that stays below infinity, without a look at the range of numbers: where the product is
+    /// so small that its low part falls below the smallest number, it has the digits of `f64`.
+    #[inline]
+    pub(crate) fn ordinary_times(self, factor: f64) -> Self {
+        let (product, error) = ordinary_product(self.hi, factor);
+        Self::fast_sum(product, error + self.lo * factor)
+    }
+
     /// Exponential e^x.
     #[must_use]
     pub fn exp(self) -> Self {

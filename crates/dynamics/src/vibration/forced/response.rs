@@ -3,7 +3,7 @@
 use super::divided_difference::Nodes;
 use super::driven::DrivenSystem;
 use super::undamped::Beat;
-use crate::numerics::{Complex, Dd, binary_exponent, hypot};
+use crate::numerics::{Complex, Dd, binary_exponent, hypot, two_sum};
 use crate::vibration::free::FreeResponse;
 use crate::vibration::oscillator::{Oscillator, Scaled};
 use crate::vibration::power_of_two::PowerOfTwo;
@@ -111,23 +111,19 @@ pub struct ForcedResponse {
     /// What the initial state alone does; none from rest.
     free: Option<FreeResponse>,
     /// What the force does from rest; none without one.
-    driven: Option<Driven>,
-}
-
-/// The motion from rest.
-#[derive(Clone, Copy, Debug)]
-struct Driven {
-    from_rest: FromRest,
-    /// None where steady and free motion are always kept together.
+    driven: Option<FromRest>,
+    /// Both in other parts; none where steady and free motion are always kept together.
     separated: Option<Separated>,
 }
 
-/// The steady motion and the free one that, with it, starts from rest.
+/// The steady motion and a free one that, with it, starts from the initial state or from rest.
 #[derive(Clone, Copy, Debug)]
 struct Separated {
     steady: Steady,
     transient: FreeResponse,
-    /// Both may be added from this time on.
+    /// What the initial state alone does, where the transient starts from rest.
+    free: Option<FreeResponse>,
+    /// The parts may be added from this time on.
     since: f64,
 }
 
@@ -184,10 +180,14 @@ impl ForcedResponse {
     fn of_subject(subject: DrivenSystem<'_>, force: HarmonicForce, initial: State) -> Self {
         let force = force.with_positive_frequency();
         let is_driven = force.cosine != 0.0 || force.sine != 0.0;
+        let is_beat = subject.oscillator.damping() == 0.0 && force.sine == 0.0;
+        let free = (initial != State::REST).then(|| subject.free(initial));
+        let separated = || Separated::of(subject, force, is_beat, initial, free);
         Self {
             initial,
-            free: (initial != State::REST).then(|| subject.free(initial)),
-            driven: is_driven.then(|| Driven::of(subject, force)),
+            free,
+            driven: is_driven.then(|| FromRest::of(subject, force, is_beat)),
+            separated: is_driven.then(separated).flatten(),
         }
     }
 
@@ -196,10 +196,12 @@ impl ForcedResponse {
         if time == 0.0 {
             return self.initial.position;
         }
-        let free = self.free.as_ref().map_or(0.0, |free| free.position(time));
-        self.driven
-            .as_ref()
-            .map_or(free, |driven| free + driven.position(time))
+        let (free, driven) = match self.separated(time) {
+            Some(parts) => (&parts.free, Some(parts.position(time))),
+            None => (&self.free, self.driven.map(|driven| driven.position(time))),
+        };
+        let free = free.map_or(0.0, |free| free.position(time));
+        driven.map_or(free, |driven| free + driven)
     }
 
     /// Position in m and velocity in m/s at a time in s.
@@ -207,55 +209,30 @@ impl ForcedResponse {
         if time == 0.0 {
             return self.initial;
         }
-        let free = self
-            .free
-            .as_ref()
-            .map_or(State::REST, |free| free.state(time));
-        self.driven
-            .as_ref()
-            .map_or(free, |driven| free + driven.state(time))
-    }
-}
-
-impl Driven {
-    fn of(subject: DrivenSystem<'_>, force: HarmonicForce) -> Self {
-        let scaled = Scaled::driven(subject.oscillator, force.angular_frequency);
-        let frequency = scaled.scaled_rate(force.angular_frequency);
-        let is_beat = subject.oscillator.damping() == 0.0 && force.sine == 0.0;
-        let kind = if is_beat {
-            ResponseKind::Beat(subject.beat(&scaled, frequency))
-        } else {
-            ResponseKind::Nodes(subject.nodes(&scaled, frequency))
+        let (free, driven) = match self.separated(time) {
+            Some(parts) => (&parts.free, Some(parts.state(time))),
+            None => (&self.free, self.driven.map(|driven| driven.state(time))),
         };
-        Self {
-            from_rest: FromRest::of(&scaled, kind, force),
-            separated: Separated::of(subject, force, is_beat),
-        }
+        let free = free.map_or(State::REST, |free| free.state(time));
+        driven.map_or(free, |driven| free + driven)
     }
 
-    fn position(&self, time: f64) -> f64 {
-        match &self.separated {
-            Some(parts) if time >= parts.since => {
-                parts.steady.position(time) + parts.transient.position(time)
-            }
-            _ => self.from_rest.position(time),
-        }
-    }
-
-    fn state(&self, time: f64) -> State {
-        match &self.separated {
-            Some(parts) if time >= parts.since => {
-                parts.steady.state(time) + parts.transient.state(time)
-            }
-            _ => self.from_rest.state(time),
-        }
+    /// The parts, where they may be added.
+    fn separated(&self, time: f64) -> Option<&Separated> {
+        self.separated.as_ref().filter(|parts| time >= parts.since)
     }
 }
 
 impl Separated {
-    /// Both motions, and the time after which no exponential of the free one is close to that of the force,
+    /// The motions, and the time after which no exponential of the free one is close to that of the force,
     /// 1/min |r - iΩ|. A beat is taken apart only where the force is much faster than the free motion.
-    fn of(subject: DrivenSystem<'_>, force: HarmonicForce, is_beat: bool) -> Option<Self> {
+    fn of(
+        subject: DrivenSystem<'_>,
+        force: HarmonicForce,
+        is_beat: bool,
+        initial: State,
+        free: Option<FreeResponse>,
+    ) -> Option<Self> {
         const FAST: f64 = 1e6;
         let oscillator = subject.oscillator;
         let frequency = force.angular_frequency;
@@ -269,16 +246,22 @@ impl Separated {
             hypot(oscillator.decay_rate(), free - frequency)
         };
         let steady = Steady::of(subject, force);
-        let State { position, velocity } = steady.start();
-        let opposite = State {
-            position: -position,
-            velocity: -velocity,
-        };
+        let joined = steady.transient(initial);
+        let transient = joined.or_else(|| steady.transient(State::REST))?;
         Some(Self {
             steady,
-            transient: subject.free(opposite),
+            transient: subject.free(transient),
+            free: free.filter(|_| joined.is_none()),
             since: 1.0 / nearest,
         })
+    }
+
+    fn position(&self, time: f64) -> f64 {
+        self.steady.position(time) + self.transient.position(time)
+    }
+
+    fn state(&self, time: f64) -> State {
+        self.steady.state(time) + self.transient.state(time)
     }
 }
 
@@ -297,11 +280,23 @@ impl Steady {
         }
     }
 
-    fn start(&self) -> State {
-        State {
-            position: self.cosine,
-            velocity: self.frequency * self.sine,
-        }
+    /// The free motion at time zero that brings the steady one to an initial state; none where its rounding exceeds that of
+    /// the steady motion, which is off by some units in the last place of its amplitude: where one part of a free motion
+    /// decays much faster than the other, what is lost of a large initial state would outlast it.
+    fn transient(&self, initial: State) -> Option<State> {
+        let amplitude = hypot(self.cosine, self.sine);
+        let rest = |initial: f64, steady: f64, amplitude: f64| {
+            let (rest, error) = two_sum(initial, -steady);
+            (error.abs() <= f64::EPSILON * amplitude).then_some(rest)
+        };
+        Some(State {
+            position: rest(initial.position, self.cosine, amplitude)?,
+            velocity: rest(
+                initial.velocity,
+                self.frequency * self.sine,
+                self.frequency * amplitude,
+            )?,
+        })
     }
 
     fn position(&self, time: f64) -> f64 {
@@ -319,7 +314,14 @@ impl Steady {
 }
 
 impl FromRest {
-    fn of(scaled: &Scaled, kind: ResponseKind, force: HarmonicForce) -> Self {
+    fn of(subject: DrivenSystem<'_>, force: HarmonicForce, is_beat: bool) -> Self {
+        let scaled = Scaled::driven(subject.oscillator, force.angular_frequency);
+        let frequency = scaled.scaled_rate(force.angular_frequency);
+        let kind = if is_beat {
+            ResponseKind::Beat(subject.beat(&scaled, frequency))
+        } else {
+            ResponseKind::Nodes(subject.nodes(&scaled, frequency))
+        };
         let exponent = binary_exponent(force.cosine)
             .max(binary_exponent(force.sine))
             // A force that is zero has the smallest integer for an exponent, which must not overflow when it

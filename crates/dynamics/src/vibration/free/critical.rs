@@ -44,12 +44,12 @@ impl Critical {
 
     #[inline]
     pub(crate) fn position<const LIFTED: bool>(&self, t: f64) -> f64 {
-        decay::<LIFTED>(self.growth, t) * (self.initial.position + self.position_slope * t)
+        decay::<LIFTED>(self.growth * t) * (self.initial.position + self.position_slope * t)
     }
 
     #[inline]
     pub(crate) fn state<const LIFTED: bool>(&self, t: f64) -> State {
-        let envelope = decay::<LIFTED>(self.growth, t);
+        let envelope = decay::<LIFTED>(self.growth * t);
         State {
             position: envelope * (self.initial.position + self.position_slope * t),
             velocity: envelope * (self.initial.velocity + self.velocity_slope * t),

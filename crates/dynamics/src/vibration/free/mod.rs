@@ -323,8 +323,7 @@ impl ScaledMotion {
 
 /// The exponential of a product of rate and time.
 #[inline]
-fn decay<const LIFTED: bool>(rate: Dd, t: f64) -> f64 {
-    let exponent = rate * t;
+fn decay<const LIFTED: bool>(exponent: Dd) -> f64 {
     if LIFTED {
         (exponent + Dd::LN_2 * f64::from(LIFT)).exp_to_f64()
     } else {

@@ -55,7 +55,7 @@ impl Oscillating {
     #[inline]
     pub(crate) fn envelope<const LIFTED: bool>(&self, t: f64) -> f64 {
         if self.is_damped {
-            decay::<LIFTED>(self.growth, t)
+            decay::<LIFTED>(self.growth.ordinary_times(t))
         } else {
             1.0
         }
@@ -63,13 +63,13 @@ impl Oscillating {
 
     #[inline]
     pub(crate) fn position<const LIFTED: bool>(&self, t: f64) -> f64 {
-        let (sine, cosine) = (self.frequency * t).sin_cos_to_f64();
+        let (sine, cosine) = self.frequency.ordinary_times(t).sin_cos_to_f64();
         self.envelope::<LIFTED>(t) * (self.initial.position * cosine + self.position_sine * sine)
     }
 
     #[inline]
     pub(crate) fn state<const LIFTED: bool>(&self, t: f64) -> State {
-        let (sine, cosine) = (self.frequency * t).sin_cos_to_f64();
+        let (sine, cosine) = self.frequency.ordinary_times(t).sin_cos_to_f64();
         let envelope = self.envelope::<LIFTED>(t);
         State {
             position: envelope * (self.initial.position * cosine + self.position_sine * sine),

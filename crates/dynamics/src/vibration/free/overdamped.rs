@@ -62,8 +62,8 @@ impl Overdamped {
     #[inline]
     fn terms<const LIFTED: bool>(&self, t: f64) -> (f64, f64) {
         (
-            decay::<LIFTED>(self.slow, t) * (self.beyond_fast / self.gap),
-            decay::<LIFTED>(self.fast, t) * (-self.beyond_slow / self.gap),
+            decay::<LIFTED>(self.slow * t) * (self.beyond_fast / self.gap),
+            decay::<LIFTED>(self.fast * t) * (-self.beyond_slow / self.gap),
         )
     }
 
@@ -73,7 +73,7 @@ impl Overdamped {
             let (slow, fast) = self.terms::<LIFTED>(t);
             slow + fast
         } else {
-            decay::<LIFTED>(self.slow, t)
+            decay::<LIFTED>(self.slow * t)
                 * (self.initial.position + self.beyond_slow * self.ramp(t))
         }
     }
@@ -87,10 +87,10 @@ impl Overdamped {
                 velocity: self.slow.hi() * slow + self.fast.hi() * fast,
             };
         }
-        let (envelope, ramp) = (decay::<LIFTED>(self.slow, t), self.ramp(t));
+        let (envelope, ramp) = (decay::<LIFTED>(self.slow * t), self.ramp(t));
         State {
             position: envelope * (self.initial.position + self.beyond_slow * ramp),
-            velocity: self.initial.velocity * decay::<LIFTED>(self.fast, t)
+            velocity: self.initial.velocity * decay::<LIFTED>(self.fast * t)
                 + self.slow.hi() * self.beyond_fast * ramp * envelope,
         }
     }

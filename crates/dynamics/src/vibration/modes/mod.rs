@@ -41,7 +41,7 @@ use std::ops::Range;
 
 use nalgebra::DMatrix;
 
-use crate::numerics::jacobi::{ScaledColumns, dot};
+use crate::numerics::jacobi::{ScaledColumns, dot, largest_magnitude};
 use mass_root::MassRoot;
 
 /// The modes of a system, in ascending order of `ω²`.
@@ -404,9 +404,7 @@ impl Modes {
 
 /// Whether the first component that is not zero is negative.
 fn is_reversed(weighted: &[f64]) -> bool {
-    let largest = weighted
-        .iter()
-        .fold(0.0_f64, |largest, x| largest.max(x.abs()));
+    let largest = largest_magnitude(weighted);
     weighted
         .iter()
         .find(|x| x.abs() > 1e-13 * largest)
@@ -415,9 +413,7 @@ fn is_reversed(weighted: &[f64]) -> bool {
 
 /// The vector over its largest component, or zero.
 fn normalized(mut vector: Vec<f64>) -> Vec<f64> {
-    let largest = vector
-        .iter()
-        .fold(0.0_f64, |largest, x| largest.max(x.abs()));
+    let largest = largest_magnitude(&vector);
     if largest > 0.0 {
         for x in &mut vector {
             *x /= largest;

@@ -10,10 +10,15 @@
 //! Ogita, Aishima, Japan J. Indust. Appl. Math. 35 (2018) 1007. Ozaki, Ogita, Oishi, Rump, Numer. Algorithms 59 (2012) 95
 //! (splitting).
 
+use std::ops::Range;
+
+use nalgebra::DMatrix;
+
 use super::system::{Inertia, System};
 use super::{Modes, is_reversed};
+use crate::numerics::jacobi::largest_magnitude;
 use crate::numerics::product::product;
-use crate::numerics::{Dd, binary_exponent, scale_by_power_of_two, two_prod, two_sum};
+use crate::numerics::{Dd, binary_exponent, ordinary_product, scale_by_power_of_two, two_sum};
 
 /// Bits of the leading parts: sums of sixty-four products of two of them, each factor below two, take 53.
 const BITS: i32 = 22;
@@ -67,10 +72,14 @@ impl Polished {
         let eigenvalues: Vec<f64> = (0..size)
             .map(|mode| scale_by_power_of_two(modes.eigenvalue(mode), -2 * scaled.rate_exponent))
             .collect();
-        let residuals = scaled.residuals(&shapes, &eigenvalues);
-        let lengths: Vec<Dd> = shapes
-            .chunks_exact(size)
-            .map(|shape| scaled.inertia(shape))
+        let split = Split::of(shapes.iter().map(|x| Dd::from(*x)));
+        let momenta = scaled.momenta(&shapes, &split);
+        let residuals = scaled.residuals(&shapes, &split, &momenta, &eigenvalues);
+        let lengths: Vec<Dd> = (0..size)
+            .map(|mode| {
+                let column = mode * size..(mode + 1) * size;
+                inner_product(&shapes[column.clone()], &momenta, column)
+            })
             .collect();
         let mut mixing = product(&transposed(&shapes, size), &residuals, size);
         let mut rates = Vec::with_capacity(size);
@@ -82,25 +91,23 @@ impl Polished {
             } else {
                 signed_root(eigenvalue, scaled.rate_exponent)
             });
-            for (i, entry) in column.iter_mut().enumerate() {
-                *entry = if i == j {
-                    (Dd::from(1.0) - lengths[j]).hi() / 2.0
-                } else {
-                    *entry / (eigenvalues[j] - eigenvalues[i])
-                };
+            for (entry, other) in column.iter_mut().zip(&eigenvalues) {
+                *entry /= eigenvalues[j] - other;
             }
+            column[j] = (Dd::from(1.0) - lengths[j]).hi() / 2.0;
         }
-        let largest = mixing
-            .iter()
-            .fold(0.0_f64, |largest, x| largest.max(x.abs()));
         // Modes that changed places were closer than the correction tells apart.
-        if largest.is_nan() || largest > MAX_STEP || !rates.is_sorted() {
+        if !mixing.iter().all(|x| x.abs() <= MAX_STEP) || !rates.is_sorted() {
             return None;
         }
+        let mut shapes = shapes;
         let corrections = product(&shapes, &mixing, size);
-        let shapes = shapes.iter().zip(&corrections).map(|(x, step)| x + step);
-        let mut shapes = scaled.unscaled(shapes);
-        for shape in shapes.chunks_exact_mut(size) {
+        let steps = corrections.chunks_exact(size);
+        for (shape, step) in shapes.chunks_exact_mut(size).zip(steps) {
+            let entries = shape.iter_mut().zip(step).zip(&scaled.exponents);
+            for ((x, step), exponent) in entries {
+                *x = scale_by_power_of_two(*x + step, *exponent);
+            }
             if is_reversed(&modes.root.weighted(shape)) {
                 shape.iter_mut().for_each(|x| *x = -*x);
             }
@@ -135,9 +142,7 @@ fn are_apart(modes: &Modes) -> bool {
     let eigenvalues: Vec<f64> = (0..modes.count())
         .map(|mode| modes.eigenvalue(mode))
         .collect();
-    let largest = eigenvalues
-        .iter()
-        .fold(0.0_f64, |largest, x| largest.max(x.abs()));
+    let largest = largest_magnitude(&eigenvalues);
     let mut pairs = eigenvalues.windows(2);
     pairs.all(|pair| pair[1] - pair[0] >= CLOSEST * largest)
 }
@@ -178,20 +183,9 @@ impl Scaled {
             .iter()
             .map(|m| -(binary_exponent(*m).div_euclid(2)))
             .collect();
-        let scale = |i: usize, j: usize, exponent: i32, x: Dd| {
-            let power = exponents[i] + exponents[j] + exponent;
-            Dd::sum(
-                scale_by_power_of_two(x.hi(), power),
-                scale_by_power_of_two(x.lo(), power),
-            )
-        };
         let stiffness = system.exact_stiffness_matrix();
-        let columns = stiffness.as_slice().chunks_exact(size).zip(&exponents);
-        let scaled = columns.flat_map(|(column, exponent)| {
-            let entries = column.iter().zip(&exponents);
-            entries.map(move |(x, other)| scale_by_power_of_two(x.hi(), exponent + other))
-        });
-        let largest = scaled.fold(0.0_f64, |largest, x| largest.max(x.abs()));
+        let largest = scaled_entries(&stiffness, &exponents, 0)
+            .fold(0.0_f64, |largest, x| largest.max(x.hi().abs()));
         if largest == 0.0 || !largest.is_finite() {
             return None;
         }
@@ -204,16 +198,15 @@ impl Scaled {
                     .map(|(m, exponent)| scale_by_power_of_two(*m, 2 * exponent))
                     .collect(),
             ),
-            Inertia::Matrix(mass) => ScaledInertia::Matrix(Split::of((0..size * size).map(|at| {
-                let (i, j) = (at % size, at / size);
-                // Half of it, so that all entries are below two.
-                scale(i, j, -1, Dd::from(mass[(i, j)]))
-            }))),
+            // Half of it, so that all entries are below two.
+            Inertia::Matrix(mass) => ScaledInertia::Matrix(Split::of(scaled_entries(
+                &mass.map(Dd::from),
+                &exponents,
+                -1,
+            ))),
         };
-        let stiffness = Split::of((0..size * size).map(|at| {
-            let (i, j) = (at % size, at / size);
-            scale(i, j, -2 * rate_exponent, stiffness[(i, j)])
-        }));
+        let entries = scaled_entries(&stiffness, &exponents, -2 * rate_exponent);
+        let stiffness = Split::of(entries);
         Some(Self {
             size,
             exponents,
@@ -225,81 +218,100 @@ impl Scaled {
 
     /// The shapes of modes, in the scaled coordinates.
     fn shapes(&self, modes: &Modes) -> Vec<f64> {
-        let modes = (0..self.size).map(|mode| modes.root.unweighted(modes.weighted_shape(mode)));
-        modes
-            .flat_map(|shape| {
-                let components = shape.into_iter().zip(&self.exponents);
-                components.map(|(x, exponent)| scale_by_power_of_two(x, -exponent))
-            })
-            .collect()
-    }
-
-    fn unscaled(&self, shapes: impl Iterator<Item = f64>) -> Vec<f64> {
+        let mut shapes = Vec::with_capacity(self.size * self.size);
+        for mode in 0..self.size {
+            let shape = modes.root.unweighted(modes.weighted_shape(mode));
+            let components = shape.iter().zip(&self.exponents);
+            shapes.extend(components.map(|(x, exponent)| scale_by_power_of_two(*x, -exponent)));
+        }
         shapes
-            .zip(self.exponents.iter().cycle())
-            .map(|(x, exponent)| scale_by_power_of_two(x, *exponent))
-            .collect()
     }
 
-    /// `K φ - λ M φ` for each shape.
-    fn residuals(&self, shapes: &[f64], eigenvalues: &[f64]) -> Vec<f64> {
-        let split = Split::of(shapes.iter().map(|x| Dd::from(*x)));
-        let forces = self.stiffness.product(shapes, &split, self.size);
-        let momenta: Vec<(f64, f64)> = match &self.inertia {
-            ScaledInertia::Masses(masses) => shapes
-                .iter()
-                .zip(masses.iter().cycle())
-                .map(|(x, m)| two_prod(*x, *m))
-                .collect(),
-            ScaledInertia::Matrix(mass) => mass
-                .product(shapes, &split, self.size)
-                .into_iter()
-                .map(|(high, low)| (2.0 * high, 2.0 * low))
-                .collect(),
-        };
-        let eigenvalues = eigenvalues
-            .iter()
-            .flat_map(|eigenvalue| std::iter::repeat_n(*eigenvalue, self.size));
-        forces
-            .into_iter()
-            .zip(momenta)
-            .zip(eigenvalues)
-            .map(|((force, momentum), eigenvalue)| {
-                let (inertia, error) = two_prod(eigenvalue, momentum.0);
-                let (difference, rest) = two_sum(force.0, -inertia);
-                difference + (rest + (force.1 - (error + eigenvalue * momentum.1)))
-            })
-            .collect()
-    }
-
-    /// `φᵀ M φ`.
-    fn inertia(&self, shape: &[f64]) -> Dd {
+    /// `M φ` for each shape. Components that are so small that the errors of their products leave the range of numbers add
+    /// nothing to any sum.
+    fn momenta(&self, shapes: &[f64], split: &Split) -> Split {
         match &self.inertia {
-            ScaledInertia::Masses(masses) => shape
-                .iter()
-                .zip(masses)
-                .map(|(x, m)| Dd::product(*x, *x) * *m)
-                .sum(),
+            ScaledInertia::Masses(masses) => {
+                let columns = shapes.chunks_exact(self.size);
+                let products = columns.flat_map(|shape| {
+                    let components = shape.iter().zip(masses);
+                    components.map(|(x, m)| ordinary_product(*x, *m))
+                });
+                let (leading, rest) = products.unzip();
+                Split { leading, rest }
+            }
             ScaledInertia::Matrix(mass) => {
-                let split = Split::of(shape.iter().map(|x| Dd::from(*x)));
-                let momenta = mass.product(shape, &split, self.size);
-                let terms = shape.iter().zip(momenta);
-                let half: Dd = terms
-                    .map(|(x, (high, low))| Dd::product(*x, high) + *x * low)
-                    .sum();
-                half * 2.0
+                let mut momenta = mass.product(shapes, split, self.size);
+                let parts = momenta.leading.iter_mut().chain(&mut momenta.rest);
+                parts.for_each(|x| *x *= 2.0);
+                momenta
             }
         }
     }
+
+    /// `K φ - λ M φ` for each shape.
+    fn residuals(
+        &self,
+        shapes: &[f64],
+        split: &Split,
+        momenta: &Split,
+        eigenvalues: &[f64],
+    ) -> Vec<f64> {
+        let forces = self.stiffness.product(shapes, split, self.size);
+        let mut residuals = Vec::with_capacity(shapes.len());
+        for (mode, eigenvalue) in eigenvalues.iter().enumerate() {
+            let column = mode * self.size..(mode + 1) * self.size;
+            let forces = forces.pairs(column.clone());
+            residuals.extend(forces.zip(momenta.pairs(column)).map(|(force, momentum)| {
+                let (inertia, error) = ordinary_product(*eigenvalue, momentum.0);
+                let (difference, rest) = two_sum(force.0, -inertia);
+                difference + (rest + (force.1 - (error + eigenvalue * momentum.1)))
+            }));
+        }
+        residuals
+    }
 }
 
-/// The leading bits of numbers below two, and what they leave.
+/// The entries of a matrix, column after column, times 2 to the powers of their row, their column, and one for all.
+fn scaled_entries<'a>(
+    matrix: &'a DMatrix<Dd>,
+    exponents: &'a [i32],
+    exponent: i32,
+) -> impl Iterator<Item = Dd> + 'a {
+    let columns = matrix.as_slice().chunks_exact(exponents.len());
+    columns.zip(exponents).flat_map(move |(column, of_column)| {
+        column.iter().zip(exponents).map(move |(x, of_row)| {
+            let power = of_row + of_column + exponent;
+            Dd::sum(
+                scale_by_power_of_two(x.hi(), power),
+                scale_by_power_of_two(x.lo(), power),
+            )
+        })
+    })
+}
+
+/// `φᵀ M φ` of a shape whose `M φ` stands in a column, in four partial sums of fixed order.
+fn inner_product(shape: &[f64], momenta: &Split, column: Range<usize>) -> Dd {
+    const LANES: usize = 4;
+    let (mut high, mut low) = ([0.0; LANES], [0.0; LANES]);
+    for (i, (x, momentum)) in shape.iter().zip(momenta.pairs(column)).enumerate() {
+        let lane = i % LANES;
+        let (term, error) = ordinary_product(*x, momentum.0);
+        let (sum, rest) = two_sum(high[lane], term);
+        high[lane] = sum;
+        low[lane] += rest + (error + x * momentum.1);
+    }
+    (0..LANES).map(|lane| Dd::sum(high[lane], low[lane])).sum()
+}
+
+/// The leading parts of numbers, and what they leave.
 struct Split {
     leading: Vec<f64>,
     rest: Vec<f64>,
 }
 
 impl Split {
+    /// The leading bits of numbers below two.
     fn of(entries: impl Iterator<Item = Dd>) -> Self {
         /// Sums with this have no bits below 2^-BITS.
         const ROUNDING: f64 = 1.5 * (1_u64 << (52 - BITS)) as f64;
@@ -313,17 +325,27 @@ impl Split {
     }
 
     /// This matrix times vectors, also split: the exact sums of the leading products, and the sums of all others.
-    fn product(&self, vectors: &[f64], split: &Self, size: usize) -> Vec<(f64, f64)> {
-        let exact = product(&self.leading, &split.leading, size);
-        let of_rest = product(&self.leading, &split.rest, size);
+    fn product(&self, vectors: &[f64], split: &Self, size: usize) -> Self {
+        let leading = product(&self.leading, &split.leading, size);
+        let mut rest = product(&self.leading, &split.rest, size);
         let by_rest = product(&self.rest, vectors, size);
-        let others = of_rest.into_iter().zip(by_rest).map(|(x, y)| x + y);
-        exact.into_iter().zip(others).collect()
+        rest.iter_mut().zip(by_rest).for_each(|(x, y)| *x += y);
+        Self { leading, rest }
+    }
+
+    /// Both parts of some numbers.
+    fn pairs(&self, range: Range<usize>) -> impl Iterator<Item = (f64, f64)> {
+        let leading = self.leading[range.clone()].iter();
+        leading.copied().zip(self.rest[range].iter().copied())
     }
 }
 
+/// The rows of a square matrix as its columns.
 fn transposed(matrix: &[f64], size: usize) -> Vec<f64> {
-    (0..matrix.len())
-        .map(|at| matrix[at % size * size + at / size])
-        .collect()
+    let mut transposed = vec![0.0; matrix.len()];
+    for (j, column) in matrix.chunks_exact(size).enumerate() {
+        let row = transposed[j..].iter_mut().step_by(size);
+        row.zip(column).for_each(|(to, from)| *to = *from);
+    }
+    transposed
 }

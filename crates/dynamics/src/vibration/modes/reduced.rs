@@ -12,7 +12,7 @@ use super::rayleigh::{self, Mode, are_proven};
 use super::solve::ModalBasis;
 use super::system::Link;
 use crate::numerics::householder::Reduction;
-use crate::numerics::jacobi::dot;
+use crate::numerics::jacobi::{dot, largest_magnitude};
 use crate::numerics::product::product;
 use crate::numerics::tridiagonal::{Eigenpairs, Factored, eigenvalues};
 use crate::numerics::{binary_exponent, scale_by_power_of_two};
@@ -163,9 +163,7 @@ fn mode(x: &[f64], image: &[f64]) -> Mode {
 
 /// The eigenpairs of a symmetric matrix, given column after column.
 fn eigenpairs(mut entries: Vec<f64>, size: usize) -> Option<Eigenpairs> {
-    let largest = entries
-        .iter()
-        .fold(0.0_f64, |largest, x| largest.max(x.abs()));
+    let largest = largest_magnitude(&entries);
     if largest == 0.0 || !largest.is_finite() {
         return None;
     }
