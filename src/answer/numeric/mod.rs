@@ -380,6 +380,7 @@ impl Numeric {
             form: key.form(),
             digits: self.digits,
             mark: context.mark,
+            steps: self.steps.clone(),
             doubt: context.doubt,
             targets: (0..key.shape().len()).map(target).collect(),
             mistakes: context.mistakes.clone(),
