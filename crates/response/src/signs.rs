@@ -135,11 +135,6 @@ pub(crate) const RUNS: &[(&str, &str)] = &[
     ("=\\=", "≠"),
     // A matrix of Maple after its name.
     ("=<<", "=<<"),
-    // Raised and lowered, as web pages have it.
-    ("<sub>", "_{"),
-    ("<sup>", "^{"),
-    ("</sub>", "}"),
-    ("</sup>", "}"),
     ("<=", "≤"),
     ("< =", "≤"),
     ("> =", "≥"),

@@ -301,10 +301,10 @@ fn said_once(
     let unit = first.quantity.unit;
     let mut most = first.clone();
     for other in others {
-        let other = match other.quantity.unit.is_one() {
-            true => other.clone().with_unit(unit),
-            false => other.clone(),
-        };
+        let mut other = other.clone();
+        if other.quantity.unit.is_one() {
+            other = other.with_unit(unit);
+        }
         if !is_same_but_for_rounding(first, &other) {
             return None;
         }
