@@ -14,7 +14,7 @@ impl Folder<'_> {
     pub(crate) fn word(&self) -> Option<(usize, &'static str)> {
         let before = &self.typed[self.answer.start..self.at];
         let rest = self.rest();
-        let begins = before.is_empty() || before.ends_with(' ');
+        let begins = before.is_empty() || before.ends_with([' ', '(']);
         if !begins || !rest.starts_with(char::is_alphabetic) {
             return None;
         }
