@@ -1,7 +1,7 @@
 //! Symbols before an equals sign: whether they name what is asked, or another quantity of the item.
 
 use super::{AnswerKind, Declare, Known, Role, Unreadable, Why};
-use crate::expr::{self, Name, Shape};
+use crate::expr::{self, Field, Name, Scope, Shape, Type};
 use crate::math::symbol;
 use crate::quantity::NodeId;
 use crate::response::{
@@ -59,11 +59,11 @@ impl Naming {
             .filter(|own| is_asked(declare, *key, own))
             .collect();
         let unit = unit.or_else(|| declare.unit_of(*key));
-        let dimension = declare.graph().kind(*key).and_then(expr::Type::dimension);
+        let dimension = declare.graph().kind(*key).and_then(Type::dimension);
         let mut naming = Self {
             customary: customary(kind, &asked, dimension, unit),
             is_formula: kind == AnswerKind::Formula,
-            is_one: is_one(kind, declare.graph().kind(*key).map(expr::Type::shape)),
+            is_one: is_one(kind, declare.graph().kind(*key).map(Type::shape)),
             is_matrix: kind == AnswerKind::Matrix && !asked.is_empty(),
             is_shape: kind == AnswerKind::ModeShape,
             is_of_time: [Dimension::TIME, Dimension::TIME.inverse()]
@@ -225,7 +225,12 @@ impl Naming {
     }
 
     fn is_of_another(&self, label: Passage<'_>) -> bool {
-        let bare = label.without_frame();
+        // In `F0/(m2 Ω²)` no unit stands beside a name.
+        let bare = if self.reads(label).is_some_and(|own| is_quotient(&own)) {
+            label
+        } else {
+            label.without_frame()
+        };
         match self.reads(bare).as_ref().map(expr::Expr::kind) {
             Some(expr::Kind::Name(name)) => {
                 self.others.contains(name) && !self.is_letter_of_matrix(bare)
@@ -290,16 +295,31 @@ impl Naming {
 /// What the steps before a value may be written in.
 #[derive(Debug, Default)]
 pub(crate) struct Steps {
-    /// The letters of the question, with and without their indices, and the period and the frequency.
+    /// The letters of the question, with and without their indices, and those of the field.
     pub(crate) letters: Lexicon,
+    /// What each of these letters is.
+    types: Vec<(Name, Type)>,
     /// The names of what is asked.
     asked: Vec<Name>,
+    dimension: Option<Dimension>,
+    manner: Manner,
     is_one: bool,
+}
+
+impl Scope for Steps {
+    fn name(&self, name: &Name) -> Option<Type> {
+        let found = self.types.iter().find(|(own, _)| own == name);
+        found.map(|(_, own)| own.clone())
+    }
+
+    fn known(&self) -> Vec<String> {
+        Vec::new()
+    }
 }
 
 impl Steps {
     pub(crate) fn of(declare: &dyn Declare, key: NodeId) -> Self {
-        let (mut letters, mut asked) = (letters_of_steps(declare), Vec::new());
+        let ((mut letters, types), mut asked) = (letters_of_steps(declare), Vec::new());
         let known = declare.known();
         for own in known.iter().filter(|own| is_asked(declare, key, own)) {
             let letter = Name::new(parted(own.name.as_str()).0);
@@ -309,34 +329,79 @@ impl Steps {
             }
             asked.extend([own.name.clone(), letter]);
         }
-        let shape = declare.graph().kind(key).map(expr::Type::shape);
+        let kind = declare.graph().kind(key);
+        let is_complex = kind.map(Type::field) == Some(Field::Complex);
         Self {
             letters,
+            types,
             asked,
-            is_one: is_one(AnswerKind::Numeric, shape),
+            dimension: kind.and_then(Type::dimension),
+            manner: Manner {
+                has_imaginary_unit: is_complex,
+                ..Manner::default()
+            },
+            is_one: is_one(AnswerKind::Numeric, kind.map(Type::shape)),
         }
     }
 
-    /// Whether a side is a formula in several letters of the question, of which none is what is asked: `√(k/m) = 19 rad/s`.
-    /// With one letter it may name another quantity, `ω² = 19/s²`.
-    pub(crate) fn are_of_question_in(&self, side: Passage<'_>) -> bool {
-        let typed = side.formula(&self.letters, Manner::default());
+    /// Whether a side is a step before a value: a formula in letters of which none is what is asked.
+    pub(crate) fn are_in(&self, side: Passage<'_>) -> bool {
+        self.are_of_question_in(side) || self.are_own_in(side)
+    }
+
+    /// Whether a side is a formula in letters of the question, of which none is what is asked: `√(k/m) = 19 rad/s`,
+    /// `1/T = 2 Hz`. With one letter it may name another quantity, `ω² = 19/s²`, unless it has the dimension of what is
+    /// asked.
+    fn are_of_question_in(&self, side: Passage<'_>) -> bool {
+        let typed = side.formula(&self.letters, self.manner);
         typed.is_ok_and(|typed| {
-            let names = typed.value.names();
+            let formula = typed.value;
+            let names = formula.names();
+            let is_step = match names.free.len() {
+                0 => false,
+                1 => self.is_derived(&formula),
+                _ => true,
+            };
             self.is_one
                 && !self.asked.is_empty()
-                && names.free.len() > 1
+                && is_step
                 && !self.asked.iter().any(|own| names.uses(own))
         })
     }
 
+    /// Whether a side is nothing where what is asked is nothing, and only there: `ω²`.
+    pub(crate) fn vanishes(&self, side: Passage<'_>) -> bool {
+        let typed = side.formula(&self.letters, self.manner);
+        typed.is_ok_and(|typed| match typed.value.kind() {
+            expr::Kind::Binary(expr::Operator::Power, base, exponent) => {
+                let is_positive = exponent.as_number().is_some_and(|own| own.numerator() > 0);
+                let is_asked =
+                    matches!(base.kind(), expr::Kind::Name(own) if self.asked.contains(own));
+                is_positive && is_asked
+            }
+            _ => false,
+        })
+    }
+
+    /// Whether a formula is no name, and has the dimension of what is asked.
+    fn is_derived(&self, formula: &expr::Expr) -> bool {
+        let is_name = matches!(
+            formula.kind(),
+            expr::Kind::Name(_) | expr::Kind::Prime(..) | expr::Kind::Negate(_)
+        );
+        let kind = formula.check(self).ok();
+        !is_name
+            && self.dimension.is_some()
+            && kind.and_then(|own| own.dimension()) == self.dimension
+    }
+
     /// Whether a side is a formula with letters of one's own, of which none is what is asked: `√(K/J) = 19 rad/s`.
-    pub(crate) fn are_own_in(&self, side: Passage<'_>) -> bool {
+    fn are_own_in(&self, side: Passage<'_>) -> bool {
         let is_of_asked = |letter: &Passage<'_>| {
-            let typed = letter.formula(&self.letters, Manner::default());
+            let typed = letter.formula(&self.letters, self.manner);
             typed.is_ok_and(|typed| self.asked.iter().any(|own| typed.value.names().uses(own)))
         };
-        let is_own = || side.formula(&self.letters, Manner::default()).is_err();
+        let is_own = || side.formula(&self.letters, self.manner).is_err();
         // Without a name of what is asked nobody knows which letter is not it.
         !self.asked.is_empty()
             && side.is_of_free_letters()
@@ -344,6 +409,15 @@ impl Steps {
             && is_own()
             && !side.letters().iter().any(is_of_asked)
     }
+}
+
+/// Whether a formula is a quotient of several names, `m2/m1`.
+fn is_quotient(formula: &expr::Expr) -> bool {
+    let is_divided = matches!(
+        formula.kind(),
+        expr::Kind::Binary(expr::Operator::Divide, ..)
+    );
+    is_divided && formula.names().free.len() > 1
 }
 
 /// Whether a side has more than one letter: one alone may be one's own for what is asked, `2 ω`.
@@ -355,28 +429,33 @@ fn has_letters(side: Passage<'_>) -> bool {
 }
 
 /// The letters that the steps before a value may be written in: those of the question, with and without their indices,
-/// and the period and the frequency.
-fn letters_of_steps(declare: &dyn Declare) -> Lexicon {
-    const CUSTOMARY: [&str; 2] = ["T", "f"];
+/// and the period, the frequency, the decay rate and the damping ratio; with what each of them is.
+fn letters_of_steps(declare: &dyn Declare) -> (Lexicon, Vec<(Name, Type)>) {
+    const CUSTOMARY: [(&str, Dimension); 4] = [
+        ("T", Dimension::TIME),
+        ("f", Dimension::FREQUENCY),
+        ("lambda", Dimension::FREQUENCY),
+        ("zeta", Dimension::PURE),
+    ];
     let mut lexicon = Lexicon::new();
     let known = declare.known();
-    let mut names: Vec<Name> = Vec::new();
+    let mut types: Vec<(Name, Type)> = Vec::new();
     for own in known.iter().filter(|own| is_seen(own.role)) {
         lexicon.allow(&own.name, own.symbol.clone(), own.role == Role::Coordinate);
-        names.push(own.name.clone());
+        types.push((own.name.clone(), own.kind.clone()));
     }
-    let letters: Vec<Name> = names
+    let letters = types
         .iter()
-        .map(|name| Name::new(parted(name.as_str()).0))
-        .chain(CUSTOMARY.map(Name::new))
-        .collect();
-    for letter in letters {
-        if !names.contains(&letter) {
+        .map(|(name, own)| (Name::new(parted(name.as_str()).0), own.clone()));
+    let customary = CUSTOMARY.map(|(letter, dimension)| (Name::new(letter), Type::real(dimension)));
+    let letters: Vec<(Name, Type)> = letters.chain(customary).collect();
+    for (letter, own) in letters {
+        if types.iter().all(|(name, _)| *name != letter) {
             lexicon.allow(&letter, symbol(letter.as_str()), false);
-            names.push(letter);
+            types.push((letter, own));
         }
     }
-    lexicon
+    (lexicon, types)
 }
 
 /// Whether a part asks for one value, of which a response may say others beside it.
@@ -425,6 +504,15 @@ fn is_same(one: &Known, other: &Known) -> bool {
 fn is_other(own: &Known, asked: &[&Known], dimension: Option<Dimension>, kind: AnswerKind) -> bool {
     let (letter, index) = parted(own.name.as_str());
     let mut names = asked.iter().map(|asked| parted(asked.name.as_str()));
+    // `E_1 = 5 J` is said of E_1(0), and x_st of x_st,0.
+    let is_of_it = |asked: &&Known| {
+        let symbol = asked.symbol.plain().replacen("_(", "_", 1);
+        let rest = symbol.strip_prefix(&own.symbol.plain());
+        rest.is_some_and(|rest| rest.starts_with(['(', ',']))
+    };
+    if matches!(own.role, Role::Quantity { .. }) && asked.iter().any(|asked| is_of_it(asked)) {
+        return false;
+    }
     if let Some((_, of_asked)) = names.find(|asked| asked.0 == letter) {
         if matches!(own.role, Role::Quantity { .. }) {
             // `Z_L = 85 Ω` is said of its modulus, too.

@@ -228,6 +228,10 @@ impl Forms<'_> {
                 continue;
             }
             let formula = letters(side);
+            // `-arctan(∞) = -π/2`
+            if formula.is_none() && is_right(&side.other) {
+                continue;
+            }
             if formula.is_none() && (at == 0 && !is_led || !side.typed.is_of_free_letters()) {
                 return None;
             }

@@ -46,7 +46,7 @@ pub const MAX_RESPONSE_LENGTH: usize = 4000;
 /// let solution = Solution::of(Instance::of_source(catalogue.find("c/a").unwrap()));
 /// assert_eq!(grade::mark(&solution, 0, "12.6 rad/s").verdict, Verdict::Right);
 /// assert_eq!(grade::mark(&solution, 0, "2 rad/s").verdict, Verdict::Wrong);
-/// assert_eq!(grade::mark(&solution, 0, "twelve").verdict, Verdict::Unreadable);
+/// assert_eq!(grade::mark(&solution, 0, "a dozen").verdict, Verdict::Unreadable);
 /// # }
 /// ```
 pub fn mark(solution: &Solution<'_>, place: usize, response: &str) -> Marking {

@@ -8,6 +8,21 @@ use vibank_source::Span;
 /// The upper and the lower sign, and those of plus and minus that take as much room.
 const SIGNS: [(&str, [&str; 2]); 2] = [("±", ["+ ", "- "]), ("∓", ["-  ", "+  "])];
 
+/// A value without the small uncertainty after it: `12.94 ± 0.02 N` is `12.94 N`.
+pub(crate) fn without_spread(text: &str) -> Option<String> {
+    // A wider one is no uncertainty of a calculation, and leaves the value open.
+    const WIDEST: f64 = 0.02;
+    let (before, behind) = text.split_once('±')?;
+    let is_of_number = |char: char| char.is_ascii_digit() || ".,".contains(char);
+    let (before, behind) = (before.trim_end(), behind.trim_start());
+    let value = &before[before.trim_end_matches(is_of_number).len()..];
+    let rest = behind.trim_start_matches(is_of_number);
+    let spread = &behind[..behind.len() - rest.len()];
+    let size = |number: &str| number.replace(',', ".").parse::<f64>().ok();
+    let is_small = size(spread)? <= WIDEST * size(value)?;
+    (is_small && !rest.contains('±')).then(|| format!("{before}{rest}"))
+}
+
 /// A text with the upper ones of its signs alone, and with the lower ones; all places stay.
 pub(crate) struct Two {
     upper: String,
@@ -70,5 +85,25 @@ impl Two {
             sides: vec![product, Expr::number(0)],
             relations: vec![Relation::Equal],
         })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::without_spread;
+
+    #[test]
+    fn an_uncertainty_is_small() {
+        for (typed, value) in [
+            ("12.94 ± 0.02 N", Some("12.94 N")),
+            ("(2,034 ± 0,004) rad", Some("(2,034) rad")),
+            ("ω = 905±2", Some("ω = 905")),
+            ("5 ± 3 rad/s", None),
+            ("±5 m", None),
+            ("5 ± x", None),
+            ("5 ± 0.1 ± 0.1", None),
+        ] {
+            assert_eq!(without_spread(typed).as_deref(), value, "{typed}");
+        }
     }
 }

@@ -6,9 +6,10 @@ use vibank_dynamics::numerics::Rational;
 use vibank_source::lower;
 
 /// Small numbers as words.
-const COUNTS: &[(&str, u8)] = &[
+const COUNTS: &[(&str, u16)] = &[
     ("zero", 0),
     ("one", 1),
+    ("unity", 1),
     ("two", 2),
     ("three", 3),
     ("four", 4),
@@ -50,7 +51,12 @@ const COUNTS: &[(&str, u8)] = &[
     ("thirty", 30),
     ("forty", 40),
     ("fifty", 50),
+    ("sixty", 60),
+    ("seventy", 70),
+    ("eighty", 80),
+    ("ninety", 90),
     ("hundred", 100),
+    ("thousand", 1000),
     ("no", 0),
     ("nil", 0),
     ("single", 1),
@@ -221,13 +227,6 @@ pub(crate) fn in_words(text: &str) -> Option<(Rational, bool)> {
         .split([' ', '-'])
         .filter(|word| !word.is_empty())
         .collect();
-    let count = |word: &str| {
-        let found = COUNTS.iter().find(|(own, _)| {
-            !matches!(*own, "no" | "double" | "single" | "triple" | "twofold")
-                && word.eq_ignore_ascii_case(own)
-        });
-        found.map(|(_, number)| i128::from(*number))
-    };
     let part = |word: &str| {
         let bare = word
             .strip_suffix('s')
@@ -239,16 +238,53 @@ pub(crate) fn in_words(text: &str) -> Option<(Rational, bool)> {
         found.map(|(_, parts)| i128::from(*parts))
     };
     let value = match words[..] {
-        [only] => count(only)
-            // Elsewhere a number in words is as unusual as its unit.
-            .filter(|count| *count == 0 || is_percent)
-            .and_then(|count| Rational::new(count, 1))
-            .or_else(|| Rational::new(1, part(only)?)),
+        [only] if part(only).is_some() => Rational::new(1, part(only)?),
         ["a" | "A" | "an" | "un", own] => Rational::new(1, part(own)?),
-        [number, own] => Rational::new(count(number)?, part(own)?),
-        _ => None,
+        [number, own] if part(own).is_some() => Rational::new(cardinal(&[number])?, part(own)?),
+        _ => Rational::new(cardinal(&words)?, 1),
     }?;
     Some((value, is_percent))
+}
+
+/// The words of a number at the beginning of a text, as far as they are such, and what comes after them: `ten thousand N`.
+pub(crate) fn in_front(text: &str) -> (&str, &str) {
+    let is_number = |word: &str| word.split('-').all(|word| size(word).is_some());
+    let mut length = 0;
+    for word in text.split_inclusive(' ') {
+        if !is_number(word.trim_end()) {
+            break;
+        }
+        length += word.len();
+    }
+    text.split_at(length)
+}
+
+/// The size of a word for a number, where no other word is meant by it.
+fn size(word: &str) -> Option<i128> {
+    let is_other = |own: &str| {
+        own.starts_with('I') || matches!(own, "no" | "double" | "single" | "triple" | "twofold")
+    };
+    let found = COUNTS
+        .iter()
+        .find(|(own, _)| !is_other(own) && word.eq_ignore_ascii_case(own));
+    found.map(|(_, number)| i128::from(*number))
+}
+
+/// The integer that words are: `twenty five`, `ten thousand`. Smaller words come after tens and after larger ones.
+fn cardinal(words: &[&str]) -> Option<i128> {
+    let (mut thousands, mut below) = (0, 0);
+    for (place, word) in words.iter().enumerate() {
+        let size = size(word)?;
+        match size {
+            1000 if thousands == 0 => (thousands, below) = (1000 * i128::max(below, 1), 0),
+            100 if below < 10 => below = 100 * i128::max(below, 1),
+            0..=99 if place == 0 => below = size,
+            1..=9 if below % 10 == 0 && below % 100 != 10 && thousands + below > 0 => below += size,
+            10..=99 if below % 100 == 0 => below += size,
+            _ => return None,
+        }
+    }
+    (!words.is_empty()).then_some(thousands + below)
 }
 
 /// An integer without the remark in brackets after it, `3 (x, y, z)`; a factor has no letters, and a remark that leaves
@@ -347,6 +383,16 @@ mod tests {
             ("two-thirds", Some((2, 3, false))),
             ("half", Some((1, 2, false))),
             ("fifty %", Some((50, 1, true))),
+            ("twelve", Some((12, 1, false))),
+            ("twenty-five", Some((25, 1, false))),
+            ("ten thousand", Some((10_000, 1, false))),
+            ("two hundred five", Some((205, 1, false))),
+            ("three thousand four hundred twenty", Some((3420, 1, false))),
+            ("two five", None),
+            ("ten five", None),
+            ("five twenty", None),
+            ("hundred hundred", None),
+            ("double", None),
             ("half of l", None),
             ("no", None),
             ("a few", None),

@@ -583,14 +583,17 @@ impl Folder<'_> {
         let last = before.trim_end().chars().next_back();
         let is_tight = !before.ends_with(' ');
         let follows = last.is_some_and(|last| {
-            last.is_alphabetic() || "})'".contains(last) || !is_tight && last.is_alphanumeric()
+            last.is_alphabetic() || "})'|".contains(last) || !is_tight && last.is_alphanumeric()
         });
+        // `~9.02 ~12.4`
+        let marks_each = before.trim_start().starts_with('~');
         let next = self.rest()[1..].trim_start().chars().next();
         // `sqrt(25)~1/s` has a space before its unit.
         let behind = self.rest()[1..].trim_start().strip_prefix("1/");
         let is_unit = behind.is_some_and(|unit| unit.starts_with(char::is_alphabetic));
         follows
             && !is_unit
+            && !marks_each
             && next
                 .is_some_and(|next| next.is_ascii_digit() || ".+√".contains(next) || is_minus(next))
     }

@@ -1,7 +1,8 @@
 //! The letters of a formula that may mean anything.
 
 use super::Lexicon;
-use super::letters::letter;
+use super::letters::{greek_word, letter};
+use super::vocabulary::is_function;
 use vibank_formula::expr::Name;
 use vibank_notation::symbol;
 
@@ -22,10 +23,9 @@ pub(crate) fn lexicon(text: &str) -> Option<Lexicon> {
     let is_sign = |char: char| "+-*/^=<>≤≥√½¼¾\\".contains(char) || char.is_numeric();
     let mut runs = text.split(|char: char| !char.is_ascii_alphabetic());
     let is_word = |run: &str| {
-        let known = [
-            "sqrt", "frac", "mathrm", "text", "theta", "omega", "Omega", "alpha", "zeta",
-        ];
-        run.len() >= WORD && !known.contains(&run)
+        let is_command = ["frac", "mathrm", "text"].contains(&run);
+        let is_known = is_command || is_function(run) || greek_word(run).is_some();
+        run.len() >= WORD && !is_known
     };
     if !text.contains(is_sign) || runs.any(is_word) {
         return None;
@@ -39,7 +39,15 @@ pub(crate) fn lexicon(text: &str) -> Option<Lexicon> {
             continue;
         }
         let is_index = |char: char| matches!(char, '₀'..='₉' | '0'..='9' | '_');
-        let behind = rest.trim_start_matches(is_index);
+        // `T_rot`, `T_{rot}`
+        let is_word = |char: char| is_index(char) || char.is_ascii_alphabetic();
+        let behind = match rest.strip_prefix('_') {
+            Some(index) => match index.strip_prefix('{').and_then(|own| own.split_once('}')) {
+                Some((_, behind)) => behind,
+                None => index.trim_start_matches(is_word),
+            },
+            None => rest.trim_start_matches(is_index),
+        };
         let indices = &rest[..rest.len() - behind.len()];
         let digits = indices
             .char_indices()

@@ -48,6 +48,12 @@ fn begins_value(text: &str) -> bool {
 /// A symbol without what may stand around it: bars, its unit in brackets.
 pub(crate) fn without_frame(label: &str) -> &str {
     let label = without_unit(label.trim()).trim_matches(['|', '[', ']', ' ']);
+    if let Some(inner) = label
+        .strip_prefix('(')
+        .and_then(|label| label.strip_suffix(')'))
+    {
+        return inner;
+    }
     if !label.ends_with([')', ']']) {
         return label;
     }

@@ -195,10 +195,11 @@ impl Lexer<'_> {
         let is_behind = last
             .and_then(|token| token.literal)
             .is_some_and(|literal| !literal.value.is_zero());
-        is_behind
-            && self.rest()[1..]
-                .trim_start()
-                .starts_with(|next: char| next.is_ascii_digit())
+        let factor = self.rest()[1..].trim_start();
+        // Nobody multiplies by nothing: `0.5 x0` is of x_0.
+        let decimals = factor.strip_prefix('0');
+        let is_nothing = decimals.is_some_and(|rest| !rest.starts_with(['.', ',', DECIMAL]));
+        is_behind && !is_nothing && factor.starts_with(|next: char| next.is_ascii_digit())
     }
 
     /// A word that joins; whether one stands here.

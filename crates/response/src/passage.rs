@@ -9,11 +9,11 @@ use super::naming;
 use super::pieces::{self, FunctionPiece};
 use super::reworded::{self, Reworded};
 use super::stated::Stated;
-use super::words::REMARKS;
+use super::words::{CONCLUDING, REMARKS};
 use super::{
-    Chain, Lexicon, Manner, Phrase, Typed, TypedError, Wording, components, counts, distance,
-    entry_units, equated, equations, free_letters, layout, list, matrix_form, ranks, related,
-    relation, sides,
+    Chain, Lexicon, Manner, Phrase, Typed, TypedError, Wording, both_signs, components, counts,
+    distance, entry_units, equated, equations, free_letters, layout, list, matrix_form, ranks,
+    related, relation, sides,
 };
 use vibank_formula::expr::{Expr, Kind, Name};
 use vibank_formula::unit::Unit;
@@ -384,6 +384,21 @@ impl<'t> Passage<'t> {
     /// A formula with the numbers in it that are said in words, `half of m R^2`, `twice k`.
     pub fn in_spoken_numbers(self) -> Option<Reworded> {
         reworded::of_spoken_numbers(self.0)
+    }
+
+    /// A value without the small uncertainty after it, `12.94 ± 0.02 N`.
+    pub fn without_spread(self) -> Option<Reworded> {
+        both_signs::without_spread(self.0).map(Reworded::of)
+    }
+
+    /// What is concluded last in it, `mg = μmg, so 1`.
+    pub fn concluded(self) -> Option<Self> {
+        let behind = |word: &&str| {
+            let word = format!(" {word} ");
+            self.0.rfind(&word).map(|at| at + word.len())
+        };
+        let start = CONCLUDING.iter().filter_map(behind).max()?;
+        Some(Self::of(&self.0[start..]))
     }
 
     /// Whether it is the name of a logarithm, whose argument many write without brackets.

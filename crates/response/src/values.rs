@@ -19,6 +19,7 @@ use super::both_signs::Two;
 use super::lexer::tokens;
 use super::token::{Item, Token};
 use super::{Lexicon, Manner, Passage, Reworded, Trouble, TypedError};
+use vibank_dynamics::numerics::Rational;
 use vibank_formula::expr::{Constant, Kind};
 use vibank_formula::unit::{DecimalMark, Unit};
 use vibank_source::Span;
@@ -226,10 +227,10 @@ impl<'t> Values<'t> {
         else {
             return None;
         };
-        // `3 N > 0` says the sign again.
-        let is_zero = |token: &Token| matches!(&token.item, Item::Number(zero) if zero.is_zero());
-        let is_sign = matches!(&self.tokens[other.clone()], [token] if is_zero(token));
-        let is_stated = (self.has(value, '=') || is_sign) && !self.has(other, '=');
+        // `3 N > 0` says the sign again, `0.16 < 1` that a ratio is small.
+        let is_mark = |token: &Token| matches!(token.item, Item::Number(own) if own.is_zero() || own == Rational::ONE);
+        let is_remark = matches!(&self.tokens[other.clone()], [token] if is_mark(token));
+        let is_stated = (self.has(value, '=') || is_remark) && !self.has(other, '=');
         is_stated.then(|| (value.clone(), *sign, other.clone()))
     }
 
@@ -371,11 +372,23 @@ impl<'t> Values<'t> {
         (pieces.len() > 1 && pieces.iter().all(is_value)).then_some(pieces)
     }
 
+    /// The numbers, perhaps with their units, that slashes between spaces part, `5 / 8.7 rad/s`.
+    pub fn slashed(&self, part: &Part) -> Option<Vec<Part>> {
+        let pieces = self.cut(part, |item| *item == Item::Sign('/'));
+        let is_apart = |piece: &Part| {
+            let around = self.tokens.get(piece.start - 1..=piece.start);
+            around.is_some_and(|around| around.iter().all(|token| token.is_spaced))
+        };
+        let are_apart = pieces[1..].iter().all(is_apart);
+        let are_values = || pieces.iter().all(|piece| self.literal(piece).is_some());
+        (pieces.len() > 1 && are_apart && are_values()).then_some(pieces)
+    }
+
     /// Numbers with their units or after names, parted by spaces alone: `5 rad/s 8.7 rad/s`, `a = 5 b = 8.7`.
     pub fn spaced_amounts(&self, part: &Part) -> Option<Vec<Part>> {
         let is_named = |at: usize| {
             let behind = self.tokens.get(at + 1).filter(|_| at + 1 < part.end);
-            behind.is_some_and(|token| token.item == Item::Sign('='))
+            behind.is_some_and(|token| matches!(token.item, Item::Sign('=' | ':')))
         };
         let begins = |at: usize| {
             let before = &self.tokens[at - 1];
@@ -455,7 +468,9 @@ impl<'t> Values<'t> {
                 leaf.kind(),
                 Kind::Constant(Constant::Pi | Constant::Infinity)
             ),
-            Some(Item::Unit(_)) => self.text(part).starts_with(char::is_alphabetic),
+            Some(Item::Unit(_)) => self
+                .text(part)
+                .starts_with(|char: char| char.is_alphabetic() || char == '\\'),
             Some(Item::Sign('|' | '∠')) => true,
             _ => false,
         };

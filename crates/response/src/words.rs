@@ -12,6 +12,9 @@ pub(crate) use self::ranges::{CONDITIONS, ENDS, LIMITS, ONWARDS, RANGES, RANKS, 
 /// What a word stands for that may stand last.
 pub(crate) const PERCENT: &str = "%";
 
+/// The same for half of π.
+pub(crate) const HALF_PI: &str = "pi/2";
+
 /// Words that stand for others or for signs, between spaces; the longer ones before those with which they begin.
 pub(crate) const WORDS: &[(&str, &str)] = &[
     ("greater than or equal to", "≥"),
@@ -98,6 +101,8 @@ pub(crate) const WORDS: &[(&str, &str)] = &[
     ("multiplied by", "*"),
     ("divided by", "/"),
     ("over", "/"),
+    ("half pi", HALF_PI),
+    ("pi half", HALF_PI),
     ("squared", "^2"),
     ("cubed", "^3"),
     ("mal", "*"),
@@ -126,6 +131,10 @@ pub(crate) const WORDS: &[(&str, &str)] = &[
     ("equals", "="),
     ("est", "="),
     ("ist", "="),
+    ("more exactly", " "),
+    ("more precisely", " "),
+    ("exactly", " "),
+    ("precisely", " "),
     ("approximately", " "),
     ("approx.", " "),
     ("approx", " "),
@@ -220,6 +229,7 @@ pub(crate) const LEADS: &[&str] = &[
     "maybe",
     "probably",
     "from above",
+    "see my sheet",
     "i.e.",
     "e.g.",
     "for example",
@@ -465,6 +475,9 @@ pub(crate) const TRAILS: &[&str] = &[
     ", see above",
     "- see above",
     "see above",
+    "per oscillation",
+    "per cycle",
+    "per period",
     "from the formula above",
     "using SI units",
     "rounded",
@@ -659,6 +672,7 @@ pub(crate) const REMARKS: &[&str] = &[
     "in antiphase",
     "opposed",
     "lowest",
+    "middle",
     "highest",
     "lower",
     "upper",
@@ -845,6 +859,9 @@ pub(crate) const CONCLUSIONS: &[&str] = &[
     "gives ",
     ": ",
 ];
+
+/// Words and signs before what is concluded, `mg = μmg, so 1`.
+pub(crate) const CONCLUDING: &[&str] = &["so", "hence", "thus", "therefore", "→", "->"];
 
 /// Words that join statements: before what a letter is, and before what follows.
 pub(crate) const STATEMENTS: &[&str] = &[

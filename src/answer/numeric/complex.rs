@@ -1,8 +1,11 @@
 //! Complex numbers as people type them, and how they are marked: `3 - 4i ohm`, `-100j ohm`, `5 ohm at -53 deg`, `5∠-53°`.
 
+use std::sync::Arc;
+
 use super::list::{parted, without_empty_ends};
 use super::read::explained;
 use super::trial;
+use crate::answer::naming::Steps;
 use crate::answer::settle::{Candidate, Rule, settle};
 use crate::answer::{
     Answered, Credit, Decades, Doubt, Echo, Example, Key, KeyValue, Marker, Marking, Misfit,
@@ -33,6 +36,8 @@ pub(crate) struct ComplexNumbers {
     pub(crate) form: Form,
     pub(crate) digits: u32,
     pub(crate) mark: DecimalMark,
+    /// What steps may be written in.
+    pub(crate) steps: Arc<Steps>,
     pub(crate) doubt: Doubt,
     pub(crate) targets: Vec<Target>,
     pub(crate) mistakes: Vec<Mistaken>,
@@ -179,24 +184,27 @@ fn unclear<'s>(
     values: &Values<'_>,
     sides: &'s [Part],
     last: &Part,
-    asked: &Unit,
+    (asked, steps): (&Unit, &Steps),
 ) -> Option<&'s Part> {
     /// Forms of one number may be rounded.
     const SHARE: f64 = 0.01;
     let is_name = |side: &Part| values.is_name(side) && !values.passage(side).is_made_of_complex();
     let value = |side: &Part| number(values, side, Convention::Conventional).ok();
-    let is_led = sides.first().is_some_and(is_name);
-    sides.iter().enumerate().find_map(|(at, side)| {
+    let is_step = |side: &Part| steps.are_in(values.passage(side));
+    let is_led = sides
+        .first()
+        .is_some_and(|side| is_name(side) || is_step(side));
+    sides.iter().find_map(|side| {
         // `1/(iΩC)` has letters of the question, no ohm and coulomb.
         let is_of_letters = |unit: &Option<Unit>| {
             let is_misfit = |unit: &Unit| unit.dimension() != asked.dimension();
-            at > 0 && is_led && unit.as_ref().is_some_and(is_misfit)
+            is_led && unit.as_ref().is_some_and(is_misfit)
         };
         let is_clear = is_name(side)
             || match (value(side), value(last)) {
                 (Some((_, unit, _)), _) if is_of_letters(&unit) => true,
                 (Some((own, ..)), Some((other, ..))) => (own - other).abs() <= SHARE * other.abs(),
-                (None, _) => at > 0 && is_led && !values.goes_on_in_words(side),
+                (None, _) => is_led && !values.goes_on_in_words(side),
                 _ => false,
             };
         (!is_clear).then_some(side)
@@ -291,7 +299,7 @@ impl ComplexNumbers {
             let last = sides.pop();
             if let Some(side) = last
                 .as_ref()
-                .and_then(|last| unclear(values, &sides, last, &self.unit))
+                .and_then(|last| unclear(values, &sides, last, (&self.unit, &self.steps)))
             {
                 return Err(Unreadable::at(values.passage(side), Why::UnclearSide));
             }

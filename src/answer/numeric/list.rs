@@ -161,9 +161,11 @@ fn pieces_of(
         is_framed || pieces.len() == count && !pieces.iter().skip(1).any(is_group)
     };
     let spaced = values.spaced(inner).filter(is_list);
+    // `5 / 8.7` is no quotient where two are asked.
     let amounts = || {
-        let amounts = values.spaced_amounts(inner);
-        amounts.filter(|pieces| pieces.len() == count)
+        let amounts = [values.spaced_amounts(inner), values.slashed(inner)];
+        let mut amounts = amounts.into_iter().flatten();
+        amounts.find(|pieces| pieces.len() == count)
     };
     let pieces: Vec<Part> = match spaced.or_else(amounts) {
         Some(pieces) => pieces,

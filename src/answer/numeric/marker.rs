@@ -290,9 +290,12 @@ impl Numbers {
             marking,
         };
         let others = vec![candidate(other, mark(other))];
-        // Not so of another unit, as that of hertz after 2π.
+        // Not so of another unit, as that of hertz after 2π; a bare number is in the unit that is asked.
         let is_by_rule = |(own, other): (&TypedNumber, &TypedNumber)| {
-            own.others.is_empty() || own.is_by_rule && own.quantity.unit == other.quantity.unit
+            let (own_unit, other_unit) = (own.quantity.unit, other.quantity.unit);
+            own.others.is_empty()
+                || own.is_by_rule && own_unit == other_unit
+                || own_unit.is_one() && !other_unit.is_one()
         };
         let rule = if items.iter().zip(other).all(is_by_rule) {
             Rule::Stated
@@ -303,7 +306,8 @@ impl Numbers {
     }
 
     /// A number as it is meant where this is asked: the one reading that has the dimension; radians for its unit, where
-    /// degrees are asked and it has none, but π in it, and perhaps those in which its π counts cycles.
+    /// degrees are asked and it has none, but π in it, and perhaps those in which its π counts cycles; arithmetic without a
+    /// unit may be in SI units.
     fn meant(&self, mut number: TypedNumber) -> TypedNumber {
         let fits = |number: &TypedNumber| self.si(&number.quantity).is_ok();
         if !fits(&number)
@@ -327,6 +331,12 @@ impl Numbers {
         let is_angular = self.unit.has_factor("rad") && self.unit.to_si(1.0) == 1.0;
         if is_angular && self.unit.dimension() == Dimension::TIME.inverse() {
             number.others.extend(number.in_radians());
+        }
+        let coherent = self.unit.coherent();
+        let is_scaled = coherent.to_si(1.0) != self.unit.to_si(1.0);
+        if is_scaled && number.quantity.unit.is_one() && number.arithmetic.is_some() {
+            let bare = number.alone();
+            number.others.push(bare.with_unit(coherent));
         }
         number
     }

@@ -4,6 +4,7 @@
 //! `2*pi rad/s`, `sqrt(2)/2 m`; a list is `0, 180°`.
 //! A response is right if its value in the key's unit lies within the tolerance; units count by
 //! dimension. A number without a unit is taken in the unit that is printed after the blank.
+//! Arithmetic without a unit, `50/(8*484)`, may be meant in SI units: where only these are right, that is a doubt.
 //! An angle with `modulo = "360 deg"` is right with any number of turns; where the item asks for one interval,
 //! `within = "(-180 deg, 180 deg]"`, an angle outside of it has half the points.
 //! A complex number is `3 - 4i ohm`, `-100j ohm`, `5 ohm at -53 deg` or `5∠-53°`; it is right within a distance in the plane.
@@ -380,6 +381,7 @@ impl Numeric {
             form: key.form(),
             digits: self.digits,
             mark: context.mark,
+            steps: self.steps.clone(),
             doubt: context.doubt,
             targets: (0..key.shape().len()).map(target).collect(),
             mistakes: context.mistakes.clone(),

@@ -57,8 +57,16 @@ impl TypedNumber {
         Self::of_formula(measured.formula, measured.unit?)
     }
 
+    /// The same without its other readings.
+    pub(crate) fn alone(&self) -> Self {
+        Self {
+            others: Vec::new(),
+            ..self.clone()
+        }
+    }
+
     /// The same in a unit that stands elsewhere.
-    fn with_unit(self, unit: Unit) -> Self {
+    pub(crate) fn with_unit(self, unit: Unit) -> Self {
         let others = self.others.into_iter().map(|other| other.with_unit(unit));
         Self {
             quantity: Quantity::new(self.quantity.value, unit),
@@ -113,6 +121,27 @@ impl TypedNumber {
         })
     }
 
+    /// With the readings alone that a step before it comes to, if there are such: of `6.283/4.964 = 1,266` that is 1.266.
+    fn agreeing(&self, step: &Self) -> Option<Self> {
+        // `2π · 2 Hz = 12.57 rad/s`
+        let in_radians = step.in_radians();
+        let is_it = |own: &&Self| {
+            let mut readings = step.readings().chain(&in_radians);
+            readings.any(|step| are_equal(own, step))
+        };
+        let mut agreeing = self.readings().filter(is_it).cloned();
+        let first = agreeing.next()?;
+        Some(Self {
+            others: agreeing.collect(),
+            ..first
+        })
+    }
+
+    /// What it is by the rules, and what else it may be.
+    fn readings(&self) -> impl Iterator<Item = &Self> {
+        std::iter::once(self).chain(&self.others)
+    }
+
     /// Its other reading, where it has one.
     pub(crate) fn otherwise(&self) -> Self {
         self.others.first().unwrap_or(self).clone()
@@ -161,8 +190,24 @@ impl Setting<'_> {
 
     /// Whether a side is a step in letters.
     fn is_step_in_letters(&self, side: Passage<'_>) -> bool {
-        self.steps
-            .is_some_and(|(_, steps)| steps.are_of_question_in(side) || steps.are_own_in(side))
+        self.steps.is_some_and(|(_, steps)| steps.are_in(side))
+    }
+
+    /// Whether a side is a power of what is asked.
+    fn vanishes(&self, side: Passage<'_>) -> bool {
+        self.steps.is_some_and(|(_, steps)| steps.vanishes(side))
+    }
+
+    /// Whether a step of bare numbers is in SI units, and what it comes to in the unit that is asked: `50/3872 = 12.9` of
+    /// millimetres.
+    fn is_in_si(&self, number: &TypedNumber, step: &TypedNumber) -> bool {
+        let are_bare = number.quantity.unit.is_one() && step.quantity.unit.is_one();
+        self.steps.is_some_and(|(asked, _)| {
+            let in_si = || step.clone().with_unit(asked.coherent());
+            are_bare
+                && step.arithmetic.is_some()
+                && are_equal(&number.clone().with_unit(*asked), &in_si())
+        })
     }
 
     /// Whether the units of a step are letters of the question: `2√(L/C)` is no litre where a resistance is asked for.
@@ -191,8 +236,20 @@ pub(crate) fn number(
             .asked
             .and_then(|asked| response.without_words_of(asked));
         bare.and_then(|bare| number_alone(bare, setting).ok())
+            .or_else(|| concluded(response, setting))
+            .or_else(|| number_alone(response.without_spread()?.passage(), setting).ok())
             .ok_or(why)
     })
+}
+
+/// The number without a name that is concluded last, if it fits what is asked: `mg = μmg, so 1`.
+fn concluded(response: Passage<'_>, setting: Setting<'_>) -> Option<TypedNumber> {
+    let conclusion = response.concluded()?;
+    let (asked, _) = setting.steps?;
+    let number = number_alone(conclusion, setting).ok()?;
+    let unit = number.quantity.unit;
+    let is_fitting = unit.is_one() || unit.dimension() == asked.dimension();
+    (is_fitting && conclusion.equated().is_none()).then_some(number)
 }
 
 /// The same with no word of the question beside it.
@@ -227,7 +284,8 @@ fn number_alone(response: Passage<'_>, setting: Setting<'_>) -> Result<TypedNumb
     statement(&values, &all, setting)
 }
 
-/// The first of several statements that give one value, each in another unit: `0.314 (31.4 %)`, `2 Hz or 12.57 rad/s`.
+/// The first of several statements that give one value, each in another unit, `0.314 (31.4 %)`, `2 Hz or 12.57 rad/s`, or
+/// with more figures, of which the most count: `2 Hz (exactly 2.013 Hz)`.
 fn said_once(
     values: &Values<'_>,
     statements: &[Part],
@@ -240,14 +298,24 @@ fn said_once(
     };
     let numbers: Vec<TypedNumber> = statements.iter().map(read).collect::<Option<_>>()?;
     let (first, others) = numbers.split_first()?;
-    // `0.333 (1/3)`
-    let is_other = |other: &TypedNumber| {
-        first.quantity.unit != other.quantity.unit
-            || first.arithmetic.is_none() && other.arithmetic.is_some()
-    };
-    let is_restated =
-        |other: &TypedNumber| is_other(other) && is_same_but_for_rounding(first, other);
-    others.iter().all(is_restated).then(|| first.clone())
+    let unit = first.quantity.unit;
+    let mut most = first.clone();
+    for other in others {
+        let mut other = other.clone();
+        if other.quantity.unit.is_one() {
+            other = other.with_unit(unit);
+        }
+        if !is_same_but_for_rounding(first, &other) {
+            return None;
+        }
+        let figures = |number: &TypedNumber| number.quantity.value.significant_figures();
+        let is_longer = other.quantity.unit == unit && figures(&other) > figures(&most);
+        let are_decimals = first.arithmetic.is_none() && other.arithmetic.is_none();
+        if is_longer && are_decimals {
+            most = other;
+        }
+    }
+    Some(most)
 }
 
 /// Whether two numbers can be one value that was rounded twice.
@@ -293,7 +361,10 @@ pub(crate) fn statement(
     let is_value = |side: &Part| values.has_number(side) && !values.is_name(side);
     let value = sides.iter().rposition(is_value).unwrap_or(sides.len() - 1);
     let mut number = amount(values, &sides[value])?;
-    let (name, beside) = values.unit_beside_name(&sides[0]);
+    // `print(ω) -> 5`
+    let first = values.unbracketed(&sides[0]);
+    let first = first.filter(|first| values.is_name(first));
+    let (name, beside) = values.unit_beside_name(first.as_ref().unwrap_or(&sides[0]));
     let is_named = values.is_name(&name);
     if number.quantity.unit.is_one()
         && is_named
@@ -306,25 +377,32 @@ pub(crate) fn statement(
     for (at, side) in others.filter(|(at, side)| *at != value && !is_name(*at, side)) {
         let is_step = 0 < at && at < value;
         let is_between = is_step && is_named;
+        let in_letters = || at < value && setting.is_step_in_letters(values.passage(side));
         let step = values.amount_of_step(side).ok();
         let step = step.as_ref().and_then(TypedNumber::of);
-        match step.or_else(|| TypedNumber::of_product(values.passage(side))) {
-            Some(other)
-                if are_equal(&number, &other)
-                    || other.others.iter().any(|other| are_equal(&number, other)) => {}
+        let step = step.or_else(|| TypedNumber::of_product(values.passage(side)));
+        if let Some(agreeing) = step.as_ref().and_then(|step| number.agreeing(step)) {
+            number = agreeing;
+            continue;
+        }
+        match step {
+            Some(other) if setting.is_in_si(&number, &other) => {}
             Some(other) if are_equal_in_si(&number, &other) => {
                 // `121 mm = 0.121` says its unit before.
                 if number.quantity.unit.is_one() {
                     number = other;
                 }
             }
-            Some(other) if is_step && setting.is_in_letters(values.passage(side), &other) => {}
+            Some(other)
+                if setting.is_in_letters(values.passage(side), &other)
+                    && (is_step || in_letters()) => {}
             Some(_) => {
                 let (one, other) = (values.passage(side), values.passage(&sides[value]));
                 return Err(Why::UnequalSides(one.short(), other.short()).into());
             }
             None if is_between && !values.goes_on_in_words(side) => {}
-            None if at < value && setting.is_step_in_letters(values.passage(side)) => {}
+            None if in_letters() => {}
+            None if number.quantity.value.is_zero() && setting.vanishes(values.passage(side)) => {}
             None => {
                 return Err(Unreadable::at(
                     values.passage(side).short(),

@@ -99,7 +99,7 @@ impl Builder {
     /// Whether the last factor is a sign such as `°`, after which no power stands.
     pub(crate) fn ends_with_sign(&self) -> bool {
         let last = self.factors[..self.length].last();
-        last.is_some_and(|last| ["°", "′", "″", "%"].contains(&last.row().print))
+        last.is_some_and(|last| ["°", "′", "″", "%", "‰"].contains(&last.row().print))
     }
 
     /// The factors from the place `start` on.

@@ -111,7 +111,7 @@ fn exponent(scanner: &mut Scanner<'_>) -> Result<Rational, Error> {
 
 /// Whether a character may stand in the symbol of a unit.
 pub(crate) fn is_letter(char: char) -> bool {
-    char.is_alphabetic() || matches!(char, '%' | '°')
+    char.is_alphabetic() || matches!(char, '%' | '‰' | '°')
 }
 
 #[cfg(test)]

@@ -112,11 +112,13 @@ pub(crate) static ROWS: &[UnitRow] = &[
     row(&["cd"],                 "cd",  &["candela", "candelas"],                         [ 0,  0,  0,  0, 0, 0, 1], [ 0,  0,  0, 0, 0], Still,   YES, NOT, ""),
     row(&["sr"],                 "sr",  &["steradian", "steradians"],                     [ 0,  0,  0,  0, 0, 0, 0], [ 0,  0,  0, 0, 0], Still,   NOT, NOT, ""),
     row(&["deg", "°"],           "°",   &["degree", "degrees", "degs", "º", "degré", "degrés", "grado", "grados"], [ 0,  0,  0,  0, 0, 0, 0], [-2, -2, -1, 0, 1], Radians, NOT, NOT, "rad"),
-    row(&["rev"],                "rev", &["revolution", "revolutions", "revs", "turn", "turns", "cycle", "cycles", "tr", "tour", "tours", "umdrehung", "umdrehungen"],
+    row(&["rev"],                "rev", &["revolution", "revolutions", "revs", "turn", "turns", "cycle", "cycles", "osc", "tr", "tour", "tours", "umdrehung", "umdrehungen"],
                                                                                           [ 0,  0,  0,  0, 0, 0, 0], [ 0,  0,  0, 0, 0], Cycles,  NOT, NOT, ""),
     row(&["rpm"],                "rpm", &["revolution per minute", "revolutions per minute", "rpm"],
                                                                                           [ 0,  0, -1,  0, 0, 0, 0], [-2, -1, -1, 0, 0], Cycles,  NOT, NOT, "Hz"),
     row(&["%"],                  "%",   &["percent", "percent"],                          [ 0,  0,  0,  0, 0, 0, 0], [-2,  0, -2, 0, 0], Still,   NOT, NOT, "1"),
+    row(&["‰"],                  "‰",   &["permille", "permille", "promille"],              [ 0,  0,  0,  0, 0, 0, 0], [-3,  0, -3, 0, 0], Still,   NOT, NOT, "1"),
+    row(&["ppm"],                "ppm", &["part per million", "parts per million"],       [ 0,  0,  0,  0, 0, 0, 0], [-6,  0, -6, 0, 0], Still,   NOT, NOT, "1"),
     row(&["min"],                "min", &["minute", "minutes", "mins"],                   [ 0,  0,  1,  0, 0, 0, 0], [ 2,  1,  1, 0, 0], Still,   NOT, YES, "s"),
     row(&["h"],                  "h",   &["hour", "hours", "hr", "hrs"],                  [ 0,  0,  1,  0, 0, 0, 0], [ 4,  2,  2, 0, 0], Still,   NOT, YES, "s"),
     row(&["d"],                  "d",   &["day", "days"],                                 [ 0,  0,  1,  0, 0, 0, 0], [ 7,  3,  2, 0, 0], Still,   NOT, NOT, "s"),
@@ -289,7 +291,11 @@ pub(crate) fn word(text: &str) -> Option<Found> {
         let head = text
             .get(..prefix.word.len())
             .filter(|head| head.eq_ignore_ascii_case(prefix.word))?;
-        row_of_word(&text[head.len()..], true).map(|row| Found {
+        // `microF`
+        let rest = &text[head.len()..];
+        let symbol = || bare_symbol(rest).filter(|row| ROWS[usize::from(*row)].prefixes);
+        let row = row_of_word(rest, true).or_else(symbol)?;
+        Some(Found {
             row,
             prefix: prefix.power,
         })

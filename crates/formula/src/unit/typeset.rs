@@ -91,7 +91,7 @@ const DEGREE: &str = "°";
 fn symbol(factor: &Factor) -> Math {
     let print = factor.row().print;
     match print {
-        DEGREE | "′" | "″" | "%" => operator(print, Class::Ordinary),
+        DEGREE | "′" | "″" | "%" | "‰" => operator(print, Class::Ordinary),
         "g₀" => Math::Script {
             base: Box::new(upright("g".to_owned())),
             sub: Some(Box::new(Math::Number("0".to_owned()))),

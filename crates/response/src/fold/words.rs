@@ -4,7 +4,9 @@ use super::Folder;
 use super::programs::holds_list;
 use crate::signs::TURNS;
 use crate::surroundings::behind_words;
-use crate::words::{Between, LETTERS, LISTS, NUMBERS, PERCENT, ROOTED_UNITS, ROOTS, VERBS, WORDS};
+use crate::words::{
+    Between, HALF_PI, LETTERS, LISTS, NUMBERS, PERCENT, ROOTED_UNITS, ROOTS, VERBS, WORDS,
+};
 use vibank_formula::unit::Unit;
 
 impl Folder<'_> {
@@ -12,7 +14,7 @@ impl Folder<'_> {
     pub(crate) fn word(&self) -> Option<(usize, &'static str)> {
         let before = &self.typed[self.answer.start..self.at];
         let rest = self.rest();
-        let begins = before.is_empty() || before.ends_with(' ');
+        let begins = before.is_empty() || before.ends_with([' ', '(']);
         if !begins || !rest.starts_with(char::is_alphabetic) {
             return None;
         }
@@ -25,7 +27,7 @@ impl Folder<'_> {
                 .filter(|(words, _)| self.is_shouted || begin_alike(rest, words));
             likely.find_map(|(words, plain)| {
                 let behind = behind_words(rest, words, is_same)?;
-                let may_end = *plain == PERCENT || matches!(*plain, "^2" | "^3");
+                let may_end = *plain == PERCENT || matches!(*plain, "^2" | "^3" | HALF_PI);
                 let ends = behind.starts_with(' ')
                     || may_end && !behind.starts_with(char::is_alphanumeric);
                 ends.then(|| (rest.len() - behind.len(), *plain))
@@ -45,7 +47,7 @@ impl Folder<'_> {
             .find_map(|verb| compares(verb))
             .or_else(|| of_words(rest))
             .filter(|(_, plain)| {
-                !before.is_empty() || matches!(*plain, "<" | ">" | "≤" | "≥" | "-")
+                !before.is_empty() || matches!(*plain, "<" | ">" | "≤" | "≥" | "-" | HALF_PI)
             })
     }
 

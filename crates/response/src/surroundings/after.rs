@@ -227,9 +227,15 @@ fn body(text: &str) -> Option<usize> {
 /// The length of a word that says what can be seen anyway, after a value, a list or an equation: `0 (translation)`,
 /// `[1 2; 2 5] (symmetric)`, `(1, -1), in phase`.
 fn remark(text: &str) -> Option<usize> {
-    let in_brackets = |open, close| text.strip_suffix(close)?.rsplit_once(open);
-    let (before, said) = in_brackets(" (", ')')
-        .or_else(|| in_brackets(" [", ']'))
+    // `0.4(dimensionless)`
+    let ends = |last: char| " ~%°".contains(last) || last.is_ascii_digit();
+    let is_apart = |before: &str| before.ends_with(ends);
+    let in_brackets = |open: char, close: char| {
+        let pair = text.strip_suffix(close)?.rsplit_once(open);
+        pair.filter(|(before, _)| is_apart(before))
+    };
+    let (before, said) = in_brackets('(', ')')
+        .or_else(|| in_brackets('[', ']'))
         .or_else(|| behind_list(text))
         .or_else(|| text.rsplit_once(" → "))
         .or_else(|| text.rsplit_once(" -> "))
@@ -238,7 +244,7 @@ fn remark(text: &str) -> Option<usize> {
     let first = before.chars().next()?;
     let begins = first.is_ascii_digit() || "([{.".contains(first) || is_minus(first);
     let is_value = begins || before.contains('=') || in_words(before).is_some();
-    let is_said = REMARKS.contains(&lower(said.trim()).as_str());
+    let is_said = REMARKS.contains(&lower(said.trim()).replace('~', " ").as_str());
     (is_value && is_said).then(|| text.len() - before.len())
 }
 

@@ -51,18 +51,25 @@ impl Values<'_> {
         Ok(amount)
     }
 
-    /// The amount that words are, `one third`, `fifty %`.
+    /// The amount that words are, `one third`, `fifty %`, `minus ninety degrees`.
     fn in_words(&self, part: &Part) -> Option<Amount> {
         let text = self.text(part);
-        if !text.starts_with(char::is_alphabetic) {
+        let (is_negative, bare) = match text.strip_prefix(['-', '+']) {
+            Some(bare) => (text.starts_with('-'), bare.trim_start()),
+            None => (false, text),
+        };
+        if !bare.starts_with(char::is_alphabetic) {
             return None;
         }
-        let (value, is_percent) = counts::in_words(text)?;
-        let unit = if is_percent {
-            Unit::read("%").ok()?
-        } else {
-            Unit::ONE
+        let percent = || Unit::read("%").ok();
+        let (value, unit) = match counts::in_words(bare) {
+            Some((value, is_percent)) => (value, if is_percent { percent()? } else { Unit::ONE }),
+            None => {
+                let (number, unit) = counts::in_front(bare);
+                (counts::in_words(number)?.0, Unit::read(unit).ok()?)
+            }
         };
+        let value = if is_negative { -value } else { value };
         Some(Amount::ratio(value, unit))
     }
 
@@ -208,7 +215,7 @@ impl Values<'_> {
     }
 
     /// A decimal with its unit.
-    fn literal(&self, part: &Part) -> Option<Amount> {
+    pub(crate) fn literal(&self, part: &Part) -> Option<Amount> {
         let tokens = &self.tokens[part.clone()];
         let (is_negative, tokens) = match tokens.first()?.item {
             Item::Sign('-') => (true, &tokens[1..]),
