@@ -55,6 +55,16 @@ impl Amount {
         }
     }
 
+    /// What a formula of numbers is in a unit.
+    pub fn of_formula(formula: Expr, unit: Unit) -> Self {
+        Self {
+            number: Number::Formula(formula),
+            unit,
+            others: Vec::new(),
+            is_by_rule: false,
+        }
+    }
+
     /// The value in its unit, if there is one; none where nothing of it is known, `sin(1e99)`.
     pub fn value(&self) -> Option<Value> {
         match &self.number {
@@ -86,12 +96,7 @@ pub(crate) type Split = (Expr, Option<Unit>);
 /// Where units do not fit together.
 pub(crate) fn split(formula: &Expr) -> Result<Amount, Trouble> {
     let (expr, unit) = parts(formula)?;
-    Ok(Amount {
-        number: Number::Formula(expr),
-        unit: unit.unwrap_or(Unit::ONE),
-        others: Vec::new(),
-        is_by_rule: false,
-    })
+    Ok(Amount::of_formula(expr, unit.unwrap_or(Unit::ONE)))
 }
 
 fn parts(formula: &Expr) -> Result<Split, Trouble> {

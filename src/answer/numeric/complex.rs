@@ -148,22 +148,17 @@ fn of_polar(
     let size = amount(values, modulus, way)?;
     let turn = amount(values, &angle, way)?;
     let real = |amount: &Amount| amount.value().and_then(|value| value.as_real());
-    let (Some(size_value), Some(turn_value)) = (real(&size), real(&turn)) else {
+    let (Some(_), Some(turns)) = (real(&size), real(&turn)) else {
         return Err(like_complex(Why::Form));
     };
-    if turn.unit.is_one() && turn_value.abs() > std::f64::consts::TAU {
+    if turn.unit.is_one() && turns.abs() > std::f64::consts::TAU {
         let typed = values.passage(&angle);
         return Err(Why::AngleWithoutUnit(typed.into()).into());
     }
-    let radian = Unit::radian();
-    let taken = if turn.unit.is_one() {
-        radian
-    } else {
-        turn.unit
-    };
-    let conversion = taken.conversion(&radian).map_err(|_| Why::AngleUnit)?;
+    if !turn.unit.is_one() && turn.unit.conversion(&Unit::radian()).is_err() {
+        return Err(Why::AngleUnit.into());
+    }
     let unit = stated(&size).or(behind);
-    let value = Complex::from_polar(size_value, conversion.apply(turn_value));
     let imaginary = Expr::constant(Constant::ImaginaryUnit);
     let angle = match formula(&turn) {
         own if turn.unit.is_one() => own,
@@ -176,7 +171,10 @@ fn of_polar(
         }
     };
     let power = Expr::constant(Constant::E).power(imaginary * angle);
-    Ok((value, unit, formula(&size) * power))
+    let whole = formula(&size) * power;
+    let value = Amount::of_formula(whole.clone(), Unit::ONE).value();
+    let value = value.and_then(|value| value.as_complex());
+    Ok((value.ok_or_else(|| like_complex(Why::Form))?, unit, whole))
 }
 
 /// The side of a statement that is neither the name of its value nor another form of it: `Z^2`, `|Z|`, `Re(Z)`, `5`.

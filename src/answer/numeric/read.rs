@@ -43,12 +43,7 @@ impl TypedNumber {
 
     /// The number that a formula of numbers is in a unit.
     pub(crate) fn of_formula(formula: Expr, unit: Unit) -> Option<Self> {
-        Self::of(&Amount {
-            number: Typed::Formula(formula),
-            unit,
-            others: Vec::new(),
-            is_by_rule: false,
-        })
+        Self::of(&Amount::of_formula(formula, unit))
     }
 
     /// The number that a product with a unit in it is, `80 cm * 0.2955`.
