@@ -144,18 +144,22 @@ fn of_polar(
     angle: &Part,
     way: Convention,
 ) -> Result<WrittenComplex, Unreadable> {
-    let (angle, behind) = values.unit_behind_angle(angle);
+    let (angle, mut behind) = values.unit_behind_angle(angle);
     let size = amount(values, modulus, way)?;
-    let turn = amount(values, &angle, way)?;
+    let mut turn = amount(values, &angle, way)?;
+    let is_of_angle = |unit: &Unit| unit.conversion(&Unit::radian()).is_ok();
+    // `100∠-π/2 ohm`
+    if !is_of_angle(&turn.unit) && behind.is_none() && size.unit.is_one() {
+        behind = Some(std::mem::replace(&mut turn.unit, Unit::ONE));
+    }
     let real = |amount: &Amount| amount.value().and_then(|value| value.as_real());
     let (Some(_), Some(turns)) = (real(&size), real(&turn)) else {
         return Err(like_complex(Why::Form));
     };
     if turn.unit.is_one() && turns.abs() > std::f64::consts::TAU {
-        let typed = values.passage(&angle);
-        return Err(Why::AngleWithoutUnit(typed.into()).into());
+        return Err(Why::AngleWithoutUnit(formula(&turn).to_string()).into());
     }
-    if !turn.unit.is_one() && turn.unit.conversion(&Unit::radian()).is_err() {
+    if !is_of_angle(&turn.unit) {
         return Err(Why::AngleUnit.into());
     }
     let unit = stated(&size).or(behind);
