@@ -194,6 +194,12 @@ fn bare_count(said: &str, asked: &Wording) -> Option<String> {
     are_said.then(|| number.clone())
 }
 
+/// Whether the stem of a word says how many.
+pub(crate) fn is_count(stem: &str) -> bool {
+    let mut rests = COUNTS.iter().filter_map(|(own, _)| own.strip_prefix(stem));
+    rests.any(|rest| matches!(rest, "" | "e")) || number(stem).is_some()
+}
+
 /// The number that a word is, in digits.
 fn number(word: &str) -> Option<String> {
     let word = word.trim_end_matches(',');

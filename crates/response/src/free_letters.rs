@@ -1,7 +1,7 @@
 //! The letters of a formula that may mean anything.
 
 use super::Lexicon;
-use super::letters::letter;
+use super::letters::{Letters, letter, lowered};
 use vibank_formula::expr::Name;
 use vibank_notation::symbol;
 
@@ -33,19 +33,22 @@ pub(crate) fn lexicon(text: &str) -> Option<Lexicon> {
     let mut lexicon = Lexicon::new();
     let mut rest = text;
     while let Some(first) = rest.chars().next() {
-        let (length, name) = letter(rest).unwrap_or((first.len_utf8(), String::new()));
-        rest = &rest[length..];
-        if name.is_empty() || first.is_ascii_digit() {
+        let Some((length, _)) = letter(rest).filter(|_| !first.is_ascii_digit()) else {
+            rest = &rest[first.len_utf8()..];
             continue;
+        };
+        let is_index = |char: char| {
+            matches!(char, '0'..='9' | '₀'..='₉' | '_') || lowered(char).is_some()
+        };
+        let mut behind = rest[length..].trim_start_matches(is_index);
+        // `ω_n`
+        let indices = &rest[length..rest.len() - behind.len()];
+        if let Some((length, _)) = letter(behind).filter(|_| indices == "_") {
+            behind = &behind[length..];
         }
-        let is_index = |char: char| matches!(char, '₀'..='₉' | '0'..='9' | '_');
-        let behind = rest.trim_start_matches(is_index);
-        let indices = &rest[..rest.len() - behind.len()];
-        let digits = indices
-            .char_indices()
-            .filter_map(|(at, _)| letter(&indices[at..]));
-        let name = digits.fold(name, |name, (_, digit)| name + &digit);
-        lexicon.allow(&Name::new(name.as_str()), symbol(&name), false);
+        if let Some(name) = Letters::spelling(&rest[..rest.len() - behind.len()]) {
+            lexicon.allow(&Name::new(name.as_str()), symbol(&name), false);
+        }
         rest = behind;
     }
     Some(lexicon)
