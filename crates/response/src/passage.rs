@@ -313,11 +313,6 @@ impl<'t> Passage<'t> {
         Reworded::of(format!("1 {}", self.0))
     }
 
-    /// An integer without the remark in brackets after it, `3 (x, y, z)`.
-    pub fn before_remark(self) -> Option<Self> {
-        counts::before_remark(self.0).map(Self::of)
-    }
-
     /// The word for what is counted, after a number: `2 periods`.
     pub fn counted(self) -> Option<Self> {
         counts::counted(self.0).map(Self::of)

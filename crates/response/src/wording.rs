@@ -2,7 +2,7 @@
 
 use super::letters::{greek_word, letter, lowered};
 use super::words::{
-    FILLERS, OTHER_VALUES, PREFIXES, RUNS_OF_WORDS, STRESSES, SUFFIXES, SYNONYMS, THINGS,
+    FILLERS, OTHER_VALUES, PREFIXES, RUNS_OF_WORDS, STRESSES, SUFFIXES, SYNONYMS,
 };
 use vibank_notation::greek_name;
 use vibank_source::lower;
@@ -65,12 +65,6 @@ impl Wording {
         Self::of(&format!("{STRESSES} {text}"))
     }
 
-    /// With the words for what is asked about, which may be said beside any option.
-    #[must_use]
-    pub fn with_things(self) -> Self {
-        self.joined(&Self::of(&THINGS.join(" ")))
-    }
-
     /// Whether nothing is said.
     pub fn is_empty(&self) -> bool {
         self.0.is_empty()
@@ -91,24 +85,11 @@ impl Wording {
         self.0.iter().any(|own| own == word)
     }
 
-    /// Whether a word of it is that of another, or means the same.
-    pub fn has(&self, word: &str) -> bool {
-        Self::of(word).0.iter().all(|own| self.0.contains(own))
-    }
-
     /// With the words of another text after its own.
     #[must_use]
     pub fn joined(mut self, other: &Self) -> Self {
         self.0.extend(other.0.iter().cloned());
         self
-    }
-
-    /// Without the words that others do not have; none where one of them is no part of `said` either.
-    pub fn known_among(&self, others: &[Self], said: &Self) -> Option<Self> {
-        let is_known = |word: &&String| others.iter().any(|other| other.0.contains(word));
-        let (known, unknown): (Vec<&String>, Vec<&String>) = self.0.iter().partition(is_known);
-        let is_said = unknown.iter().all(|word| said.0.contains(word));
-        is_said.then(|| Self(known.into_iter().cloned().collect()))
     }
 
     /// Whether words that are among these or say nothing make up a text.

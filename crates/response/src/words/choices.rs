@@ -134,7 +134,7 @@ pub(crate) const RUNS_OF_WORDS: &[(&str, &str)] = &[
     ("out of phase", "outofphase"),
     ("out-of-phase", "outofphase"),
     ("in phase", "inphase"),
-    ("d.o.f.", "dof"),
+    ("d.o.f", "dof"),
     ("damping ratio", "damping"),
     ("damping coefficient", "damping"),
     ("rate of change", "rate"),
