@@ -103,7 +103,16 @@ const TURNS_OF_TIME: &str = "periods oscillations vibrations swings times half-c
 const OTHERS: &[&str] = &["less", "fewer", "least", "most", "than", "times", "but"];
 
 /// Words and signs before a count that follows from what stands before them; an arrow has become an equals sign.
-const SO: &[&str] = &[" so ", " hence ", " thus ", " therefore ", "→", "->", "=>", " = "];
+const SO: &[&str] = &[
+    " so ",
+    " hence ",
+    " thus ",
+    " therefore ",
+    "→",
+    "->",
+    "=>",
+    " = ",
+];
 
 /// A count in digits without what is counted, be it by the words of the question, and without a reason: `two degrees of
 /// freedom`, `2 half-cycles`, `two (x, y)` and `x, y so 2` are `2`; none where nothing of that was typed.
@@ -122,7 +131,9 @@ pub(crate) fn in_digits(typed: &str, asked: &Wording) -> Option<String> {
         Some(format!("{label}{space}{number}"))
     });
     // Alone it is no answer.
-    let found = found.next().filter(|digits| digits != text && !text.eq_ignore_ascii_case("none"));
+    let found = found
+        .next()
+        .filter(|digits| digits != text && !text.eq_ignore_ascii_case("none"));
     let found = found.or_else(|| conclusion(text, &known));
     found.or_else(|| calculation(text, &known))
 }
@@ -228,7 +239,10 @@ fn bare_count(said: &str, known: &Wording) -> Option<String> {
     let mut words: Vec<&str> = Vec::new();
     for word in said.split_whitespace() {
         // `1DOF`
-        let figures = word.len() - word.trim_start_matches(|char: char| char.is_ascii_digit()).len();
+        let figures = word.len()
+            - word
+                .trim_start_matches(|char: char| char.is_ascii_digit())
+                .len();
         let is_glued = figures > 0 && word[figures..].chars().nth(2).is_some();
         let is_glued = is_glued && word[figures..].chars().all(char::is_alphabetic);
         let (count, noun) = word.split_at(if is_glued { figures } else { 0 });
@@ -254,7 +268,10 @@ fn bare_count(said: &str, known: &Wording) -> Option<String> {
 
 /// The number that two words are, `twenty four`.
 fn compound(tens: &str, units: &str) -> Option<String> {
-    let (tens, units) = (number(tens)?.parse::<u8>().ok()?, number(units)?.parse::<u8>().ok()?);
+    let (tens, units) = (
+        number(tens)?.parse::<u8>().ok()?,
+        number(units)?.parse::<u8>().ok()?,
+    );
     let is_compound = (20..100).contains(&tens) && tens % 10 == 0 && (1..10).contains(&units);
     is_compound.then(|| (tens + units).to_string())
 }
@@ -271,7 +288,9 @@ fn number(word: &str) -> Option<String> {
     let is_figure = |byte: u8| byte.is_ascii_digit() || b".,".contains(&byte);
     if word.starts_with(|first: char| first.is_ascii_digit()) {
         let mut ranks = ["st", "nd", "rd", "th"].into_iter();
-        let bare = ranks.find_map(|rank| word.strip_suffix(rank)).unwrap_or(word);
+        let bare = ranks
+            .find_map(|rank| word.strip_suffix(rank))
+            .unwrap_or(word);
         return bare.bytes().all(is_figure).then(|| bare.to_owned());
     }
     if let Some((tens, units)) = word.split_once('-') {
@@ -299,8 +318,10 @@ pub(crate) fn in_words(text: &str) -> Option<(Rational, bool)> {
         .collect();
     let count = |word: &str| {
         let found = COUNTS.iter().find(|(own, _)| {
-            !matches!(*own, "no" | "none" | "double" | "single" | "triple" | "twofold")
-                && word.eq_ignore_ascii_case(own)
+            !matches!(
+                *own,
+                "no" | "none" | "double" | "single" | "triple" | "twofold"
+            ) && word.eq_ignore_ascii_case(own)
         });
         found.map(|(_, number)| i128::from(*number))
     };

@@ -37,9 +37,8 @@ pub(crate) fn lexicon(text: &str) -> Option<Lexicon> {
             rest = &rest[first.len_utf8()..];
             continue;
         };
-        let is_index = |char: char| {
-            matches!(char, '0'..='9' | '₀'..='₉' | '_') || lowered(char).is_some()
-        };
+        let is_index =
+            |char: char| matches!(char, '0'..='9' | '₀'..='₉' | '_') || lowered(char).is_some();
         let mut behind = rest[length..].trim_start_matches(is_index);
         // `ω_n`
         let indices = &rest[length..rest.len() - behind.len()];

@@ -50,8 +50,12 @@ impl Phrase {
 
     /// The single words, with their endings.
     pub(crate) fn spellings(&self) -> impl Iterator<Item = String> {
-        let words = self.plain.split(|char: char| !char.is_alphabetic());
-        words.filter(|word| !word.is_empty()).map(str::to_owned)
+        let words = self
+            .plain
+            .split(|char: char| !char.is_alphabetic() && char != '-');
+        words
+            .map(|word| word.replace('-', ""))
+            .filter(|word| !word.is_empty())
     }
 
     /// Whether they are those of a text in small letters.
@@ -75,6 +79,16 @@ impl Phrase {
             [letter @ b'a'..=b'z'] => Some(*letter),
             _ => None,
         }
+    }
+
+    /// The letter of the place that they are, `second`, `the first option`.
+    pub fn rank(&self) -> Option<Self> {
+        const RANKS: [&str; 5] = ["first", "second", "third", "fourth", "fifth"];
+        let words = self.plain.split(' ');
+        let mut words = words.filter(|word| !matches!(*word, "the" | "option" | "answer" | "one"));
+        let rank = words.next().filter(|_| words.next().is_none())?;
+        let place = RANKS.iter().position(|own| *own == rank)?;
+        Some(Self::of(&char::from(b'a' + place as u8).to_string()))
     }
 
     /// The letters of the only word, each once.
@@ -177,9 +191,10 @@ impl Phrase {
         self.plain.contains(['<', '>', '≤', '≥', '='])
     }
 
-    /// What a clause denies, `not viscous`.
+    /// What a clause denies, `not viscous`; `not stable` says what it is.
     pub fn denied(&self) -> Option<Self> {
-        self.plain.strip_prefix("not ").map(Self::of)
+        let denied = self.plain.strip_prefix("not ");
+        denied.filter(|_| self.wording().denies()).map(Self::of)
     }
 
     /// The letter before words, `b lower the damping`, and the words.
@@ -212,7 +227,7 @@ impl Phrase {
         if self.typed.trim_start().starts_with(['<', '>', '≤', '≥']) {
             return vec![self.clone()];
         }
-        let parts = self.typed.split([',', ';', '>', '→', '\n']);
+        let parts = self.typed.split([',', ';', '>', '≥', '→', '|', '\n']);
         let parts = parts.flat_map(|part| part.split(" - "));
         let parts = parts.flat_map(|part| part.split(" and "));
         let parts = parts.flat_map(|part| part.split(" then "));

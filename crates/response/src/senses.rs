@@ -80,10 +80,7 @@ impl Sense {
 
 impl Senses {
     /// What options with these names say.
-    pub fn of<'o>(
-        options: impl Iterator<Item = (&'o Phrase, &'o str)>,
-        asked: Wording,
-    ) -> Self {
+    pub fn of<'o>(options: impl Iterator<Item = (&'o Phrase, &'o str)>, asked: Wording) -> Self {
         let mut spellings = Vec::new();
         let options = options.map(|(own, id)| {
             spellings.extend(own.spellings());
@@ -150,7 +147,8 @@ impl Senses {
     fn words(&self, clause: &Phrase) -> Vec<String> {
         let own = clause.wording();
         let own = own.words().iter();
-        own.map(|word| self.slip(word).unwrap_or_else(|| word.clone())).collect()
+        own.map(|word| self.slip(word).unwrap_or_else(|| word.clone()))
+            .collect()
     }
 
     /// The only option that means all that is said; with a letter, that of the letter.

@@ -1,9 +1,7 @@
 //! Words by what they mean: stems, with one word for all that mean the same in the field, without those that say nothing.
 
 use super::letters::{greek_word, letter, lowered};
-use super::words::{
-    FILLERS, OTHER_VALUES, PREFIXES, RUNS_OF_WORDS, STRESSES, SUFFIXES, SYNONYMS,
-};
+use super::words::{FILLERS, OTHER_VALUES, PREFIXES, RUNS_OF_WORDS, STRESSES, SUFFIXES, SYNONYMS};
 use vibank_notation::greek_name;
 use vibank_source::lower;
 
@@ -159,7 +157,8 @@ pub(crate) fn is_symbol(word: &str) -> bool {
             || name.contains(|char: char| {
                 !char.is_alphabetic() && char != '-' || greek_name(char).is_some()
             })
-            || letter(name).is_some_and(|(length, _)| length >= MIN_NAME && length + 1 == name.len()))
+            || letter(name)
+                .is_some_and(|(length, _)| length >= MIN_NAME && length + 1 == name.len()))
 }
 
 /// Signs that stand between words.

@@ -48,9 +48,7 @@ mod tests {
     #[test]
     fn a_formula_is_one_however_it_is_written() {
         let is = |typed: &str, printed: &str| {
-            let (Some(typed), Some(printed)) =
-                (of_printed(typed), of_printed(printed))
-            else {
+            let (Some(typed), Some(printed)) = (of_printed(typed), of_printed(printed)) else {
                 return false;
             };
             typed.is(&printed)

@@ -13,11 +13,7 @@ use crate::numerics::Rational;
 use crate::response::{Passage, Phrase, Senses};
 
 /// Options, and what stands for them.
-const ASSENTS: [(&str, &[&str]); 3] = [
-    ("unstable", &["not stable"]),
-    ("yes", &["y", "true", "it does"]),
-    ("no", &["n", "false"]),
-];
+const ASSENTS: [(&str, &[&str]); 2] = [("yes", &["y", "true", "it does"]), ("no", &["n", "false"])];
 
 /// The options of a part, whatever the data; places are those of the file.
 #[derive(Debug)]
@@ -150,6 +146,7 @@ impl Chosen {
             })
             .or_else(|| self.of_formula(typed))
             .or_else(|| self.of_clauses(&bare))
+            .or_else(|| self.of_letter(&bare.rank()?))
     }
 
     /// The one option of which something holds.
@@ -190,28 +187,27 @@ impl Chosen {
     }
 
     /// The option that is chosen in one's own words, with a reason or with what it is not: `ζ > 1, overdamped`,
-    /// `elastic, not viscous`, `c) in series`. Where several are chosen, commas part them.
+    /// `elastic, not viscous`, `c) in series`.
     fn of_clauses(&self, typed: &Phrase) -> Option<usize> {
         /// Nobody explains a choice at this length.
         const MAX_LENGTH: usize = 300;
         if !typed.passage().is_shorter_than(MAX_LENGTH) {
             return None;
         }
-        let clauses = typed.clauses();
-        if clauses.len() > 1 && !self.is_one() {
-            return None;
-        }
         let senses = &self.options.senses;
         let relate = self.options.words.iter().any(Phrase::relate);
         let (mut said, mut letter, mut denied) = (Vec::new(), None, Vec::new());
-        for clause in clauses {
+        for clause in typed.clauses() {
             if clause.compare() && !relate {
                 continue;
             }
             // `not coupled` says no more than `not`.
             let is_idle = |words: &Phrase| senses.said(words).is_some_and(|own| own.is_empty());
             if let Some(other) = clause.denied().filter(|other| !is_idle(other)) {
-                denied.push(self.of_letter(&other).or_else(|| self.meant(&other, None))?);
+                denied.push(
+                    self.of_letter(&other)
+                        .or_else(|| self.meant(&other, None))?,
+                );
                 continue;
             }
             let (own, words) = match clause.lettered() {
@@ -267,7 +263,9 @@ impl Chosen {
         if self.is_several && response.is("none") {
             return Ok(Vec::new());
         }
-        if let Some(place) = self.place(&response) {
+        // Commas part several.
+        let is_single = self.is_one() || response.clauses().len() == 1;
+        if let Some(place) = self.place(&response).filter(|_| is_single) {
             return Ok(vec![place]);
         }
         let mut pieces = response.parts();

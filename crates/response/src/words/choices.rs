@@ -85,10 +85,11 @@ pub(crate) const SYNONYMS: &[&[&str]] = &[
     &["static", "elastic", "stiffness", "spr", "spring"],
     &["dynamic", "inerti", "mass"],
     &["damp", "damper", "dashpot"],
-    &["every", "alway", "all", "each", "any"],
+    &["every", "everywher", "alway", "all", "each", "any"],
     &["zero", "0", "vanish", "disappear", "die", "dy", "null"],
     &[
-        "not", "no", "never", "without", "neither", "nor", "isnt", "doesnt", "cannot", "nein", "non",
+        "not", "no", "never", "without", "neither", "nor", "isnt", "doesnt", "cannot", "nein",
+        "non",
     ],
     &["yes", "oui", "ja", "sí"],
     &["stabl", "stabil", "establ"],
@@ -139,6 +140,7 @@ pub(crate) const RUNS_OF_WORDS: &[(&str, &str)] = &[
     ("damping coefficient", "damping"),
     ("rate of change", "rate"),
     ("uncoupled", "not coupled"),
+    ("not stable", "unstable"),
     ("inverse of ", "1/"),
     ("reciprocal of ", "1/"),
 ];
@@ -218,4 +220,5 @@ pub(crate) const FILLERS: &[&str] = &[
 ];
 
 /// Words that stress what is said, where no option tells itself from others by them.
-pub(crate) const STRESSES: &str = "only just simply purely yes clearly indeed definitely both and all well first last";
+pub(crate) const STRESSES: &str =
+    "only just exactly simply purely yes clearly indeed definitely both and all well first last";
