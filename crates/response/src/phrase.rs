@@ -179,6 +179,7 @@ impl Phrase {
         let is_word = |word: &str| {
             word.chars().filter(|char| char.is_alphabetic()).count() >= MIN_LETTERS
                 && greek_word(word.trim_start_matches('\\')).is_none()
+                && !word.contains('_')
         };
         let mut words = self
             .plain
@@ -258,11 +259,11 @@ impl Phrase {
         (are_words && word.chars().count() >= MIN_LETTERS).then(|| Self::of(&word))
     }
 
-    /// Whether these words begin with others that are long enough to be told apart.
+    /// Whether these words begin with others that are long enough to be told apart, and leave no other way open.
     pub fn begins_with(&self, words: &Self) -> bool {
         let rest = self.plain.strip_prefix(words.plain.as_str());
         words.plain.chars().count() >= MIN_LETTERS
-            && rest.is_some_and(|rest| !rest.starts_with(char::is_alphanumeric))
+            && rest.is_some_and(|rest| !rest.starts_with(char::is_alphanumeric) && !rest.contains(" or "))
     }
 }
 

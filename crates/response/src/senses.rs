@@ -5,6 +5,9 @@ use super::words::{DOUBTS, STRESSES, THINGS, TURNS};
 use super::{Phrase, counts};
 use vibank_source::EditDistance;
 
+/// What joins statements of which one is enough.
+const OR: &str = "or";
+
 /// What the options of a question say.
 ///
 /// A response means an option where each of its clauses has words of one statement of that option alone: `raise the
@@ -66,6 +69,11 @@ impl Sense {
         self.statements.iter().any(|own| own.has_word(word))
     }
 
+    /// Whether it is one word.
+    fn is_word(&self, word: &str) -> bool {
+        matches!(&self.statements[..], [only] if only.words() == [word])
+    }
+
     /// Whether words say a whole clause of it.
     fn is_begun(&self, words: &Wording) -> bool {
         self.clauses.iter().any(|own| own.is_part_of(words))
@@ -108,7 +116,7 @@ impl Senses {
                 said.push(word);
             } else if !self.stresses.has_word(&word) {
                 let is_idle = self.asked.has_word(&word) || self.things.has_word(&word);
-                if is_idle || is_symbol(&word) || counts::is_count(&word) {
+                if is_idle || is_name(&word) || counts::is_count(&word) {
                     is_cut = true;
                 } else if self.knows_of(&word) {
                     said.push(word);
@@ -131,6 +139,11 @@ impl Senses {
         let own = clause.wording();
         let places: Vec<usize> = own.words().iter().filter_map(place).collect();
         !places.is_sorted()
+    }
+
+    /// Whether a word of a clause stands in an option.
+    pub fn know(&self, clause: &Phrase) -> bool {
+        self.words(clause).iter().any(|word| self.knows(word))
     }
 
     /// Whether a clause has words of an option, or is all symbols.
@@ -156,8 +169,11 @@ impl Senses {
         let knows = |clause: &&Wording| clause.words().iter().any(|word| self.knows_of(word));
         let has_word = |clause: &&Wording| !clause.words().iter().all(|word| is_symbol(word));
         let known: Vec<&Wording> = said.iter().filter(knows).collect();
-        // Symbols that no option has may stand beside words.
-        if known.is_empty() || known.len() < said.len() && !known.iter().any(has_word) {
+        // Symbols that no option has may stand beside words, other values of theirs may not.
+        let mut idle = said.iter().filter(|clause| !knows(clause));
+        let are_names = idle.all(|clause| clause.words().iter().all(|word| is_name(word)));
+        let are_idle = known.len() == said.len() || known.iter().any(has_word);
+        if known.is_empty() || !are_idle || !are_names {
             return None;
         }
         let mut places = self.meaning(&known, false);
@@ -200,7 +216,10 @@ impl Senses {
         let is_idle = |word: &str| {
             // `if` is said once for all that `or` joins.
             let is_open = self.doubts.has_word(word) && option.has_word(word);
-            is_open || is_thing(word) || self.stresses.has_word(word)
+            let mut options = self.options.iter();
+            // `above resonance`, where the question and an option are about that.
+            let is_asked = self.asked.has_word(word) && options.any(|own| own.is_word(word));
+            is_open || is_asked || is_thing(word) || self.stresses.has_word(word)
         };
         let is_there = |word: &String| own.has_word(word) || is_loose && is_idle(word);
         let tells = |word: &String| own.has_word(word) && !is_thing(word);
@@ -238,7 +257,8 @@ impl Senses {
             1 < count && count < self.options.len()
         };
         let mut left = own.statements.iter().filter(|own| !is_said(own));
-        own.is_in_symbols() || left.any(|statement| statement.denies() || tells(statement))
+        let is_joint = |statement: &Wording| statement.denies() || statement.has_word(OR);
+        own.is_in_symbols() || left.any(|statement| is_joint(statement) || tells(statement))
     }
 
     /// Whether a word stands in an option.
@@ -267,5 +287,118 @@ impl Senses {
         });
         let meant = Wording::of(found.next()?).words().first().cloned();
         meant.filter(|meant| found.all(|own| Wording::of(own).has_word(meant)))
+    }
+}
+
+/// Whether a word is a symbol, and no value of it.
+fn is_name(word: &str) -> bool {
+    is_symbol(word) && word.chars().all(char::is_alphanumeric)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The option that clauses of a response mean.
+    fn meant(asked: &str, options: &[&str], typed: &str) -> Option<usize> {
+        let words: Vec<Phrase> = options.iter().map(|own| Phrase::of_printed(own)).collect();
+        let named = words.iter().zip(std::iter::repeat(""));
+        let senses = Senses::of(named, Wording::of(asked));
+        let clauses = Phrase::unfolded(typed).clauses();
+        let said: Option<Vec<Wording>> = clauses.iter().map(|own| senses.said(own)).collect();
+        senses.chosen(&said?, None)
+    }
+
+    #[test]
+    fn what_belongs_together_stays_together() {
+        let asked = "To make the peak of the resonance lower, one has to";
+        let options = [
+            "lower the quality factor, that is raise the damping",
+            "raise the quality factor, that is lower the damping",
+        ];
+        for (typed, place) in [
+            ("raise the damping", Some(0)),
+            ("more damping", Some(0)),
+            ("decrease Q", Some(0)),
+            ("Q must go down", Some(0)),
+            ("raise the damping, lower Q", Some(0)),
+            ("lower the qualtiy factor", Some(0)),
+            ("less damping", Some(1)),
+            ("higher quality factor", Some(1)),
+            ("lower Q, lower the damping", None),
+            ("do not lower Q", None),
+            ("lower the peak", None),
+            ("lower the force", None),
+            ("half the damping", None),
+            ("damping", None),
+        ] {
+            assert_eq!(meant(asked, &options, typed), place, "{typed}");
+        }
+        let asked = "Does the displacement lag behind the force or lead it?";
+        let options = [
+            "lags, at every frequency",
+            "leads, at every frequency",
+            "lags below $\\omega_n$ and leads above",
+        ];
+        for (typed, place) in [
+            ("it trails the force", Some(0)),
+            ("behind, always", Some(0)),
+            ("leads above, lags below", Some(2)),
+            ("leads below and lags above", None),
+            ("the force lags behind the displacement", None),
+            ("lags below", None),
+            ("never lags", None),
+            ("lags or leads", None),
+        ] {
+            assert_eq!(meant(asked, &options, typed), place, "{typed}");
+        }
+    }
+
+    #[test]
+    fn symbols_are_those_of_the_option() {
+        let asked = "To the stiffness k?";
+        let options = [
+            "the moment of inertia and the inductance $L$",
+            "the torsion constant and $1/C$",
+            "the torsional compliance and the capacitance $C$",
+        ];
+        for (typed, place) in [
+            ("inductance and moment of inertia", Some(0)),
+            ("1/C, torsion constant", Some(1)),
+            ("the capacitor", Some(2)),
+            ("torsion constant and capacitance", None),
+            ("inverse of the torsion constant and 1/C", None),
+            ("torsion constant and L", None),
+        ] {
+            assert_eq!(meant(asked, &options, typed), place, "{typed}");
+        }
+        let asked = "Which is a valid set of generalized coordinates of one free point?";
+        let options = ["$x, y, z$", "$x, y$", "$x, y, z, \\varphi, \\theta, \\psi$"];
+        for (typed, place) in [
+            ("x; y; z", Some(0)),
+            ("x, y and z", Some(0)),
+            ("the three coordinates x, y, z", Some(0)),
+            ("x and y", Some(1)),
+            ("x, z", None),
+            ("x, y, w", None),
+            ("x, y, z, φ", None),
+            ("x, y or z", None),
+        ] {
+            assert_eq!(meant(asked, &options, typed), place, "{typed}");
+        }
+        let options = ["if $K = 0$ or $a = 0$", "only if $K = 0$", "never"];
+        for (typed, place) in [
+            ("if a = 0 or K = 0", Some(0)),
+            ("if K = 0 and a = 0", None),
+            ("if K = 0 or a = 1", None),
+            ("a = 0", None),
+            ("K = 0", Some(1)),
+        ] {
+            assert_eq!(
+                meant("When are they independent?", &options, typed),
+                place,
+                "{typed}"
+            );
+        }
     }
 }

@@ -48,7 +48,11 @@ impl Wording {
                 words.extend(prefix.replace(plain).as_deref().map(meant));
                 continue;
             }
-            let whole = prefix.take().unwrap_or_default() + &plain;
+            // `\\varphi`
+            let variant = plain
+                .strip_prefix("var")
+                .filter(|own| greek_word(own).is_some());
+            let whole = prefix.take().unwrap_or_default() + variant.unwrap_or(&plain);
             let own = meant(&whole);
             if !FILLERS.contains(&whole.as_str()) && words.last() != Some(&own) {
                 words.push(own);

@@ -197,6 +197,11 @@ impl Chosen {
         let senses = &self.options.senses;
         let relate = self.options.words.iter().any(Phrase::relate);
         let (mut said, mut letter, mut denied) = (Vec::new(), None, Vec::new());
+        // Beside words a letter may be a symbol of theirs.
+        let is_letter = |clause: &Phrase| {
+            let is_alone = typed.letter().is_some();
+            self.of_letter(clause).is_some() && (is_alone || !senses.know(clause))
+        };
         for clause in typed.clauses() {
             if clause.compare() && !relate {
                 continue;
@@ -212,7 +217,7 @@ impl Chosen {
             }
             let (own, words) = match clause.lettered() {
                 Some((own, words)) if self.agrees(&own, &words) => (own, words),
-                _ if self.of_letter(&clause).is_some() => (clause, Phrase::of("")),
+                _ if is_letter(&clause) => (clause, Phrase::of("")),
                 _ => (Phrase::of(""), clause),
             };
             if let Some(place) = self.of_letter(&own)
@@ -279,7 +284,13 @@ impl Chosen {
             pieces = letters;
         }
         let place = |piece: &Phrase| self.place(piece).ok_or_else(|| piece.typed().to_owned());
-        pieces.iter().map(place).collect()
+        let places: Vec<usize> = pieces.iter().map(place).collect::<Result<_, _>>()?;
+        // `if K = 0 and a = 0` is not "if K = 0 or a = 0".
+        let are_parts = self.is_one() && places.windows(2).all(|pair| pair[0] == pair[1]);
+        if are_parts && pieces.iter().any(|piece| piece.letter().is_none()) {
+            return Err(response.typed().to_owned());
+        }
+        Ok(places)
     }
 
     /// The option with all of these words.

@@ -53,7 +53,6 @@ pub(crate) const THINGS: &[&str] = &[
     "damping",
     "displacement",
     "coupling",
-    "resonance",
     "force",
     "case",
     "it",
@@ -83,7 +82,7 @@ pub(crate) const SYNONYMS: &[&[&str]] = &[
         "antisymmetric",
     ],
     &["static", "elastic", "stiffness", "spr", "spring"],
-    &["dynamic", "inerti", "mass"],
+    &["dynamic", "inerti"],
     &["damp", "damper", "dashpot"],
     &["every", "everywher", "alway", "all", "each", "any"],
     &["zero", "0", "vanish", "disappear", "die", "dy", "null"],
@@ -108,7 +107,7 @@ pub(crate) const SYNONYMS: &[&[&str]] = &[
     &["same", "constant", "unchang"],
     &["stay", "remain", "keep"],
     &["own", "uniqu"],
-    &["angl", "theta"],
+    &["theta", "angl"],
     &["quality", "q"],
     &["electromotiv", "emf"],
     &["resistanc", "resistor"],
@@ -141,8 +140,6 @@ pub(crate) const RUNS_OF_WORDS: &[(&str, &str)] = &[
     ("rate of change", "rate"),
     ("uncoupled", "not coupled"),
     ("not stable", "unstable"),
-    ("inverse of ", "1/"),
-    ("reciprocal of ", "1/"),
 ];
 
 /// Words that belong to the next one, with or without a dash.
