@@ -209,7 +209,7 @@ fn is_remark(remark: &str, count: &str) -> bool {
     remark.contains(char::is_alphabetic)
         && words.all(|word| match number(word) {
             Some(own) => is_factor(&own),
-            None => word == "and" || !is_other(word),
+            None => matches!(word, "and" | "per") || !is_other(word),
         })
 }
 

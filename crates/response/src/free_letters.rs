@@ -6,7 +6,7 @@ use vibank_formula::expr::Name;
 use vibank_notation::symbol;
 
 /// Whether no run of letters is a word that joins or denies.
-pub(crate) fn are_no_words(text: &str) -> bool {
+fn are_no_words(text: &str) -> bool {
     const WORDS: [&str; 24] = [
         "or", "and", "nor", "not", "no", "but", "so", "is", "if", "in", "to", "by", "at", "as",
         "of", "on", "for", "the", "are", "was", "one", "two", "yes", "oder",
@@ -27,7 +27,7 @@ pub(crate) fn lexicon(text: &str) -> Option<Lexicon> {
         ];
         run.len() >= WORD && !known.contains(&run)
     };
-    if !text.contains(is_sign) || runs.any(is_word) {
+    if !text.contains(is_sign) || runs.any(is_word) || !are_no_words(text) {
         return None;
     }
     let mut lexicon = Lexicon::new();

@@ -429,7 +429,7 @@ impl<'t> Passage<'t> {
     /// Whether it is a formula of letters, whatever they stand for, `2πf`.
     pub fn is_of_free_letters(self) -> bool {
         let reads = |lexicon: &Lexicon| self.formula(lexicon, Manner::REAL).is_ok();
-        free_letters::are_no_words(self.0) && self.free_letters().is_some_and(|own| reads(&own))
+        self.free_letters().is_some_and(|own| reads(&own))
     }
 
     /// The letters of a formula as names; nothing where its letters are words, or where it has no sign of a formula.

@@ -263,7 +263,9 @@ impl Phrase {
     pub fn begins_with(&self, words: &Self) -> bool {
         let rest = self.plain.strip_prefix(words.plain.as_str());
         words.plain.chars().count() >= MIN_LETTERS
-            && rest.is_some_and(|rest| !rest.starts_with(char::is_alphanumeric) && !rest.contains(" or "))
+            && rest.is_some_and(|rest| {
+                !rest.starts_with(char::is_alphanumeric) && !rest.contains(" or ")
+            })
     }
 }
 
