@@ -236,42 +236,46 @@ fn are_idle(words: &[&str], known: &Wording) -> bool {
 fn bare_count(said: &str, known: &Wording) -> Option<String> {
     /// A longer sentence says more than a count.
     const MAX_WORDS: usize = 12;
-    let mut words: Vec<&str> = Vec::new();
-    for word in said.split_whitespace() {
-        // `1DOF`
-        let figures = word.len()
-            - word
-                .trim_start_matches(|char: char| char.is_ascii_digit())
-                .len();
-        let is_glued = figures > 0 && word[figures..].chars().nth(2).is_some();
-        let is_glued = is_glued && word[figures..].chars().all(char::is_alphabetic);
-        let (count, noun) = word.split_at(if is_glued { figures } else { 0 });
-        words.extend([count, noun].iter().filter(|word| !word.is_empty()));
-    }
-    let (tens, place) = (0..words.len())
-        .filter_map(|place| Some((compound(words[place], words.get(place + 1)?)?, place)))
-        .next()
-        .unzip();
-    let (numbers, others): (Vec<(usize, &str)>, Vec<(usize, &str)>) = words
-        .iter()
-        .copied()
-        .enumerate()
-        .filter(|(at, _)| place.is_none_or(|place| *at != place + 1))
-        .partition(|(_, word)| number(word).is_some());
-    let [(_, only)] = numbers[..] else {
+    let words = words(said);
+    let all = words.iter().map(String::as_str);
+    let (numbers, others): (Vec<&str>, Vec<&str>) = all.partition(|word| number(word).is_some());
+    let [only] = numbers[..] else {
         return None;
     };
-    let others: Vec<&str> = others.into_iter().map(|(_, word)| word).collect();
-    let is_said = words.len() <= MAX_WORDS && are_idle(&others, known);
-    tens.or_else(|| number(only)).filter(|_| is_said)
+    // Who is asked how many says no rank.
+    let is_rank =
+        only.ends_with(char::is_alphabetic) && only.starts_with(|at: char| at.is_ascii_digit());
+    let is_asked = !is_rank || known.has_word("which");
+    let is_said = is_asked && words.len() <= MAX_WORDS && are_idle(&others, known);
+    number(only).filter(|_| is_said)
+}
+
+/// The words of a text, figures apart from the noun behind them, `1DOF`, and two words of one number in digits.
+fn words(said: &str) -> Vec<String> {
+    let mut words: Vec<String> = Vec::new();
+    for word in said.split_whitespace() {
+        let noun = word.trim_start_matches(|char: char| char.is_ascii_digit());
+        // `2nd` is a number, and `2m` none.
+        let is_noun = noun.chars().all(char::is_alphabetic) && noun.chars().nth(2).is_some();
+        let (figures, noun) = word.split_at(if is_noun { word.len() - noun.len() } else { 0 });
+        for word in [figures, noun].into_iter().filter(|word| !word.is_empty()) {
+            let number = words.last().and_then(|last| compound(last, word));
+            match (number, words.last_mut()) {
+                (Some(number), Some(last)) => *last = number,
+                _ => words.push(word.to_owned()),
+            }
+        }
+    }
+    words
 }
 
 /// The number that two words are, `twenty four`.
 fn compound(tens: &str, units: &str) -> Option<String> {
-    let (tens, units) = (
-        number(tens)?.parse::<u8>().ok()?,
-        number(units)?.parse::<u8>().ok()?,
-    );
+    let value = |word: &str| {
+        let word = Some(word).filter(|word| word.starts_with(char::is_alphabetic));
+        number(word?)?.parse::<u8>().ok()
+    };
+    let (tens, units) = (value(tens)?, value(units)?);
     let is_compound = (20..100).contains(&tens) && tens % 10 == 0 && (1..10).contains(&units);
     is_compound.then(|| (tens + units).to_string())
 }
@@ -379,7 +383,6 @@ mod tests {
             ("twenty-four", Some("24")),
             ("Twenty four half-cycles", Some("24")),
             ("1DOF", Some("1")),
-            ("the 4th", Some("4")),
             ("3 coords in total", Some("3")),
             ("three (3)", Some("3")),
             ("one, the angle", Some("1")),
@@ -391,6 +394,8 @@ mod tests {
             ("4 constraints * 3 = 12", Some("4 * 3 = 12")),
             ("12 (3 per point)", Some("12")),
             ("2, x1 and x2, θ follows", Some("2")),
+            ("the 4th", None),
+            ("20 4", None),
             ("3 → 4", None),
             ("3.17 = 5", None),
             ("2 + 1 = 4", None),
@@ -408,6 +413,18 @@ mod tests {
             ("2 half", None),
             ("about two blocks", None),
             ("2", None),
+        ] {
+            assert_eq!(in_digits(typed, &asked).as_deref(), digits, "{typed}");
+        }
+    }
+
+    #[test]
+    fn a_rank_is_a_count_where_one_is_asked() {
+        let asked = Wording::of("Which is the last extremum?");
+        for (typed, digits) in [
+            ("the 4th", Some("4")),
+            ("4th extremum", Some("4")),
+            ("4th cycle", None),
         ] {
             assert_eq!(in_digits(typed, &asked).as_deref(), digits, "{typed}");
         }

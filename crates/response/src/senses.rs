@@ -74,9 +74,10 @@ impl Sense {
         matches!(&self.statements[..], [only] if only.words() == [word])
     }
 
-    /// Whether words say a whole clause of it.
-    fn is_begun(&self, words: &Wording) -> bool {
-        self.clauses.iter().any(|own| own.is_part_of(words))
+    /// Whether words say a whole clause of a statement of it.
+    fn says_clause(&self, statement: &Wording, words: &Wording) -> bool {
+        let mut clauses = self.clauses.iter();
+        clauses.any(|own| own.is_part_of(words) && own.is_part_of(statement))
     }
 
     /// Whether it is a list of symbols, `x, y`.
@@ -153,7 +154,9 @@ impl Senses {
         let are_symbols = words.iter().all(|word| is_symbol(word));
         let own = Wording::of_words(words);
         let mut options = self.options.iter();
-        are_symbols || own.words().iter().any(is_said) || options.any(|other| other.is_begun(&own))
+        are_symbols
+            || own.words().iter().any(is_said)
+            || options.any(|other| other.says_clause(&own, &own))
     }
 
     /// The words of a clause without slips.
@@ -226,7 +229,7 @@ impl Senses {
         let mut words = clause.words().iter();
         words.clone().all(is_there)
             && clause.denies() == own.denies()
-            && (words.any(tells) || option.is_begun(clause))
+            && (words.any(tells) || option.says_clause(own, clause))
     }
 
     /// Whether each clause of an option is said.
