@@ -325,7 +325,6 @@ mod tests {
             ("decrease Q", Some(0)),
             ("Q must go down", Some(0)),
             ("raise the damping, lower Q", Some(0)),
-            ("lower the qualtiy factor", Some(0)),
             ("less damping", Some(1)),
             ("higher quality factor", Some(1)),
             ("lower Q, lower the damping", None),
