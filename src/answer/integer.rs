@@ -185,11 +185,6 @@ impl Marker for Whole {
         {
             return Ok(Echo::of_reading(reading));
         }
-        if read.is_err()
-            && let Some(bare) = response.before_remark()
-        {
-            return self.echo(bare);
-        }
         let (first, others) = read?;
         let readings = [first].into_iter().chain(others);
         Echo::of(readings.map(|own| self.reading(&own))).ok_or_else(|| Why::Form.into())
@@ -204,7 +199,7 @@ impl Marker for Whole {
         let digits = response.in_digits(&self.symbols.asked);
         let response = digits.as_ref().map_or(response, Reworded::passage);
         // Elsewhere that is no answer.
-        if self.key == 0.0 && response.is("none") {
+        if self.key == 0.0 && response.words().is("none") {
             return self.counted(self.reading(&Quantity::pure(Decimal::ZERO)), 0.0);
         }
         let read = self.readings(response);
@@ -217,10 +212,7 @@ impl Marker for Whole {
         }
         let (first, others) = match read {
             Ok(readings) => readings,
-            Err(why) => {
-                let bare = response.before_remark();
-                return bare.map_or_else(|| Marking::unreadable(why), |bare| self.mark(bare));
-            }
+            Err(why) => return Marking::unreadable(why),
         };
         let candidate = |quantity: Quantity| Candidate {
             shown: quantity.text(self.mark),

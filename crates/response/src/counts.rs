@@ -2,6 +2,7 @@
 
 use super::signs::is_apostrophe;
 use super::wording::Wording;
+use super::words::{DENIALS, DOUBTS, OTHER_VALUES, WITHDRAWALS};
 use vibank_dynamics::numerics::Rational;
 use vibank_source::lower;
 
@@ -59,6 +60,8 @@ const COUNTS: &[(&str, u16)] = &[
     ("thousand", 1000),
     ("no", 0),
     ("nil", 0),
+    ("none", 0),
+    ("null", 0),
     ("single", 1),
     ("double", 2),
     ("twofold", 2),
@@ -89,123 +92,215 @@ const PARTS: &[(&str, u8)] = &[
     ("Viertel", 4),
 ];
 
-/// What is counted in this field, the longer words before those with which they end. Cycles and half-cycles are missing:
-/// three of the ones are six of the others.
-const COUNTED: &[&str] = &[
-    "degrees of freedom",
-    "degree of freedom",
-    "degrés de liberté",
-    "degré de liberté",
-    "freiheitsgrade",
-    "freiheitsgrad",
-    "dofs",
-    "dof",
-    "d.o.f",
-    "ddl",
-    "independent coordinates",
-    "coordinates",
-    "independent constraints",
-    "constraints",
-    "constraint",
-    "equations",
-    "pairs",
-    "modes",
+/// What is counted in this field, and words beside it. Cycles and half-cycles are missing: three of the ones are six of the
+/// others.
+const COUNTED: &str = "degree degrees of freedom degrés de liberté freiheitsgrade freiheitsgrad dofs ddl coordinates coords \
+                       constraints equations pairs modes equilibria positions independent holonomic geometric number \
+                       total altogether";
+
+/// What is counted in time.
+const TURNS_OF_TIME: &str = "periods oscillations vibrations swings times half-cycles";
+
+/// Words with which a count is another one, or none, beside those that leave open, deny or change anything.
+const OTHERS: &[&str] = &["less", "fewer", "least", "most", "than", "times", "but"];
+
+/// Words and signs before a count that follows from what stands before them; an arrow has become an equals sign.
+const SO: &[&str] = &[
+    " so ",
+    " hence ",
+    " thus ",
+    " therefore ",
+    "→",
+    "->",
+    "=>",
+    " = ",
 ];
 
-/// Words with which a count is another one, or none.
-const OTHERS: &[&str] = &[
-    "or", "and", "less", "fewer", "least", "most", "than", "if", "not", "twice", "times", "wrong",
-    "false", "maybe",
-];
-
-/// A count in digits without what is counted, be it by the words of the question: `two degrees of freedom`, `2 half-cycles`
-/// and `two (x, y)` are `2`; none where nothing of that was typed.
+/// A count in digits without what is counted, be it by the words of the question, and without a reason: `two degrees of
+/// freedom`, `2 half-cycles`, `two (x, y)` and `x, y so 2` are `2`; none where nothing of that was typed.
 pub(crate) fn in_digits(typed: &str, asked: &Wording) -> Option<String> {
     let text = typed.trim().trim_end_matches(['.', '!']);
+    let known = Wording::of(COUNTED).joined(asked);
     let signs = [text.rfind(':'), text.rfind('=')].into_iter().flatten();
     let starts = std::iter::once(0).chain(signs.map(|at| at + 1));
     let mut found = starts.filter_map(|start| {
         let (label, said) = text.split_at(start);
-        let number = count(said, asked)?;
+        let number = count(said, &known)?;
+        // `there are none`
+        let is_idle = Wording::of(label.trim_end_matches(['=', ':', ' '])).is_empty();
+        let label = if is_idle { "" } else { label };
         let space = if label.is_empty() { "" } else { " " };
         Some(format!("{label}{space}{number}"))
     });
-    found.next().filter(|digits| digits != text)
+    // Alone it is no answer.
+    let found = found
+        .next()
+        .filter(|digits| digits != text && !text.eq_ignore_ascii_case("none"));
+    let found = found.or_else(|| conclusion(text, &known));
+    found.or_else(|| calculation(text, &known))
 }
 
-/// The number of what a text counts.
-fn count(said: &str, asked: &Wording) -> Option<String> {
+/// The count that follows from what stands before it: `x, y, z so 3`, `n = 3.17 → 4`.
+fn conclusion(text: &str, known: &Wording) -> Option<String> {
+    let mut ends = SO.iter().filter_map(|so| text.rsplit_once(so));
+    ends.find_map(|(reason, said)| {
+        let number = bare_count(said, known)?;
+        let own = count(reason, known).filter(|own| own.parse::<u32>().is_ok());
+        let last = reason.rsplit('=').next().unwrap_or_default().trim();
+        // A number of steps is the next integer of what was computed.
+        let is_near = |value: f64| {
+            let count = number.parse::<f64>();
+            value.fract() != 0.0 && count.is_ok_and(|count| (value - count).abs() < 1.0)
+        };
+        let has_number = last.contains(|char: char| char.is_ascii_digit());
+        let is_reason = match last.parse::<f64>() {
+            Ok(value) => is_near(value),
+            Err(_) => !has_number || last.contains([',', ':']) || last.contains(" and "),
+        };
+        (own.is_none_or(|own| own == number) && is_reason).then_some(number)
+    })
+}
+
+/// A calculation without what is counted in it, `4 points x 3 = 12`.
+fn calculation(text: &str, known: &Wording) -> Option<String> {
+    let is_term = |word: &&str| !word.contains(char::is_alphabetic) || *word == "x";
+    let (terms, others): (Vec<&str>, Vec<&str>) = text.split_whitespace().partition(is_term);
+    let numbers = terms.iter().filter(|word| number(word).is_some());
+    (numbers.count() > 1 && !others.is_empty() && are_idle(&others, known)).then(|| terms.join(" "))
+}
+
+/// The number of what a text counts, with what is said of it: `2, x1 and θ`, `three: x, y, z`, `two (x, y)`.
+fn count(said: &str, known: &Wording) -> Option<String> {
     let said = said.trim();
-    if let Some(number) = bare_count(said, asked) {
+    if let Some(number) = bare_count(said, known) {
         return Some(number);
     }
-    // `2, x1 and θ`, `three: x, y, z`, `two (x, y)`
-    let bracketed = || {
-        let (head, items) = said.strip_suffix(')')?.split_once(" (")?;
-        Some((head, items))
-    };
-    let (head, items) = bracketed()
+    let bracketed = || said.strip_suffix(')')?.split_once(" (");
+    let (head, remark) = bracketed()
         .or_else(|| said.split_once(':'))
         .or_else(|| said.split_once(", "))?;
-    let items: Vec<&str> = items
+    let number = bare_count(head.trim(), known)?;
+    let items: Vec<&str> = remark
         .split([',', ';'])
         .flat_map(|item| item.split(" and "))
+        .map(|item| item.trim().trim_start_matches("the "))
         .collect();
     let is_name = |item: &&str| {
-        let item = item.trim();
         item.starts_with(|first: char| first.is_alphabetic() || first == '\\')
             && (item.contains('=') || !item.contains([' ', '<', '>', '+']))
     };
-    let number = bare_count(head.trim(), asked)?;
-    (items.iter().all(is_name) && number == items.len().to_string()).then_some(number)
+    let is_value = |item: &&str| !is_name(item) && !item.contains(' ');
+    let is_said = if items.iter().all(is_name) || items.len() > 1 && items.iter().all(is_value) {
+        let pairs = items.iter().filter(|item| item.starts_with('±')).count();
+        number == (items.len() + pairs).to_string()
+    } else {
+        bare_count(remark, known).is_some_and(|own| own == number) || is_remark(remark, &number)
+    };
+    is_said.then_some(number)
+}
+
+/// Whether words say nothing against a count; numbers among them are factors of it, `12 (3 per point)`.
+fn is_remark(remark: &str, count: &str) -> bool {
+    let is_factor = |own: &str| {
+        let pair = own.parse::<u32>().ok().zip(count.parse::<u32>().ok());
+        pair.is_some_and(|(own, count)| 0 < own && own < count && count % own == 0)
+    };
+    let mut words = remark
+        .split(|char: char| !char.is_alphanumeric() && char != '.')
+        .filter(|word| !word.is_empty());
+    remark.contains(char::is_alphabetic)
+        && words.all(|word| match number(word) {
+            Some(own) => is_factor(&own),
+            None => matches!(word, "and" | "per") || !is_other(word),
+        })
+}
+
+/// Whether a count beside a word may be another one, or none.
+fn is_other(word: &str) -> bool {
+    let word = lower(word.trim_end_matches([',', '.']));
+    let mut tables = [OTHERS, DOUBTS, DENIALS, OTHER_VALUES, WITHDRAWALS].into_iter();
+    tables.any(|table| table.contains(&word.as_str()))
+}
+
+/// Whether words are known, and leave a count beside them as it is.
+fn are_idle(words: &[&str], known: &Wording) -> bool {
+    let is_plain = |word: &&str| {
+        let is_letter =
+            |char: char| char.is_alphabetic() || "-,.".contains(char) || is_apostrophe(char);
+        // `half cycles` is one word.
+        let is_known = *word == "half" || !is_other(word);
+        word.chars().all(is_letter) && word.chars().nth(1).is_some() && is_known
+    };
+    words.iter().all(is_plain) && Wording::of(&words.join(" ")).is_part_of(known)
 }
 
 /// The only number among words that name what is counted.
-fn bare_count(said: &str, asked: &Wording) -> Option<String> {
+fn bare_count(said: &str, known: &Wording) -> Option<String> {
     /// A longer sentence says more than a count.
     const MAX_WORDS: usize = 12;
-    let counted = COUNTED.iter().find_map(|what| {
-        let (before, tail) = said.split_at_checked(said.len().checked_sub(what.len())?)?;
-        (tail.eq_ignore_ascii_case(what) && before.ends_with(' ')).then(|| before.trim_end())
-    });
-    let words: Vec<&str> = counted.unwrap_or(said).split_whitespace().collect();
-    let is_plain = |word: &str| {
-        word.chars()
-            .all(|char| char.is_alphabetic() || "-,.".contains(char) || is_apostrophe(char))
-            && word.chars().count() > 1
-    };
-    let numbers: Vec<(usize, String)> = words
-        .iter()
-        .enumerate()
-        .filter_map(|(at, word)| Some((at, number(word)?)))
-        .collect();
-    let [(at, number)] = &numbers[..] else {
+    let words = words(said);
+    let all = words.iter().map(String::as_str);
+    let (numbers, others): (Vec<&str>, Vec<&str>) = all.partition(|word| number(word).is_some());
+    let [only] = numbers[..] else {
         return None;
     };
-    let others: Vec<&str> = words
-        .iter()
-        .enumerate()
-        .filter(|(own, _)| own != at)
-        .map(|(_, word)| *word)
-        .collect();
-    let is_other = |word: &&str| {
-        OTHERS.contains(&lower(word.trim_end_matches([',', '.'])).as_str()) || !is_plain(word)
-    };
-    let known = Wording::of(&others.join(" "))
-        .known_among(std::slice::from_ref(asked), &Wording::default());
-    // `no` alone counts nothing.
-    let is_count = words.len() > 1 || counted.is_some() || !words[0].eq_ignore_ascii_case("no");
-    let are_said =
-        is_count && words.len() <= MAX_WORDS && !others.iter().any(is_other) && known.is_some();
-    are_said.then(|| number.clone())
+    // Who is asked how many says no rank.
+    let is_rank =
+        only.ends_with(char::is_alphabetic) && only.starts_with(|at: char| at.is_ascii_digit());
+    let is_asked = !is_rank || known.has_word("which");
+    let is_said = is_asked && words.len() <= MAX_WORDS && are_idle(&others, known);
+    number(only).filter(|_| is_said)
 }
 
-/// The number that a word is, in digits.
+/// The words of a text, figures apart from the noun behind them, `1DOF`, and two words of one number in digits.
+fn words(said: &str) -> Vec<String> {
+    let mut words: Vec<String> = Vec::new();
+    for word in said.split_whitespace() {
+        let noun = word.trim_start_matches(|char: char| char.is_ascii_digit());
+        // `2nd` is a number, and `2m` none.
+        let is_noun = noun.chars().all(char::is_alphabetic) && noun.chars().nth(2).is_some();
+        let (figures, noun) = word.split_at(if is_noun { word.len() - noun.len() } else { 0 });
+        for word in [figures, noun].into_iter().filter(|word| !word.is_empty()) {
+            let number = words.last().and_then(|last| compound(last, word));
+            match (number, words.last_mut()) {
+                (Some(number), Some(last)) => *last = number,
+                _ => words.push(word.to_owned()),
+            }
+        }
+    }
+    words
+}
+
+/// The number that two words are, `twenty four`.
+fn compound(tens: &str, units: &str) -> Option<String> {
+    let value = |word: &str| {
+        let word = Some(word).filter(|word| word.starts_with(char::is_alphabetic));
+        number(word?)?.parse::<u8>().ok()
+    };
+    let (tens, units) = (value(tens)?, value(units)?);
+    let is_compound = (20..100).contains(&tens) && tens % 10 == 0 && (1..10).contains(&units);
+    is_compound.then(|| (tens + units).to_string())
+}
+
+/// Whether the stem of a word says how many.
+pub(crate) fn is_count(stem: &str) -> bool {
+    let mut rests = COUNTS.iter().filter_map(|(own, _)| own.strip_prefix(stem));
+    rests.any(|rest| matches!(rest, "" | "e")) || number(stem).is_some()
+}
+
+/// The number that a word is, in digits: `two`, `2`, `2nd`, `twenty-four`.
 fn number(word: &str) -> Option<String> {
     let word = word.trim_end_matches(',');
     let is_figure = |byte: u8| byte.is_ascii_digit() || b".,".contains(&byte);
-    if word.starts_with(|first: char| first.is_ascii_digit()) && word.bytes().all(is_figure) {
-        return Some(word.to_owned());
+    if word.starts_with(|first: char| first.is_ascii_digit()) {
+        let mut ranks = ["st", "nd", "rd", "th"].into_iter();
+        let bare = ranks
+            .find_map(|rank| word.strip_suffix(rank))
+            .unwrap_or(word);
+        return bare.bytes().all(is_figure).then(|| bare.to_owned());
+    }
+    if let Some((tens, units)) = word.split_once('-') {
+        return compound(tens, units);
     }
     let is_roman = |own: &str| own.starts_with('I');
     let is_it = |own: &str| {
@@ -262,7 +357,7 @@ pub(crate) fn in_front(text: &str) -> (&str, &str) {
 /// The size of a word for a number, where no other word is meant by it.
 fn size(word: &str) -> Option<i128> {
     let is_other = |own: &str| {
-        own.starts_with('I') || matches!(own, "no" | "double" | "single" | "triple" | "twofold")
+        own.starts_with('I') || matches!(own, "no" | "none" | "null" | "double" | "single" | "triple" | "twofold")
     };
     let found = COUNTS
         .iter()
@@ -287,54 +382,12 @@ fn cardinal(words: &[&str]) -> Option<i128> {
     (!words.is_empty()).then_some(thousands + below)
 }
 
-/// An integer without the remark in brackets after it, `3 (x, y, z)`; a factor has no letters, and a remark that leaves
-/// a choice or takes back is none.
-pub(crate) fn before_remark(text: &str) -> Option<&str> {
-    let (before, remark) = text.strip_suffix(')')?.split_once(" (")?;
-    let mut words = remark.split(|char: char| !char.is_alphabetic());
-    let is_doubt = |word: &str| {
-        [
-            "or", "not", "oder", "maybe", "perhaps", "wrong", "if", "per", "each", "times",
-        ]
-        .contains(&vibank_source::lower(word).as_str())
-    };
-    // `33 (3 per point)`
-    let number = |text: &str| text.parse::<u32>().ok().filter(|number| *number > 0);
-    let per = remark.split(' ').next().and_then(number);
-    let shares = || {
-        let all = before.rsplit(' ').next().and_then(number);
-        let is_of_all = |(all, own): (u32, u32)| all > own && all % own == 0;
-        all.zip(per).is_some_and(is_of_all)
-            && (remark.contains(" per ") || remark.contains(" each"))
-    };
-    let is_remark = remark.contains(char::is_alphabetic) && (!words.any(is_doubt) || shares());
-    (before.ends_with(|last: char| last.is_ascii_digit()) && is_remark).then_some(before)
-}
-
 /// The word for what is counted, after a number: `2 periods`.
 pub(crate) fn counted(value: &str) -> Option<&str> {
-    const WORDS: [&str; 16] = [
-        "period",
-        "periods",
-        "oscillation",
-        "oscillations",
-        "vibrations",
-        "swings",
-        "times",
-        "dof",
-        "dofs",
-        "degree of freedom",
-        "degrees of freedom",
-        "half-cycles",
-        "half cycles",
-        "modes",
-        "coordinates",
-        "positions",
-    ];
     let word = value.trim_start_matches(|char: char| !char.is_alphabetic());
-    WORDS
-        .contains(&word.to_ascii_lowercase().as_str())
-        .then_some(word)
+    let known = Wording::of(COUNTED).joined(&Wording::of(TURNS_OF_TIME));
+    let own = Wording::of(word);
+    (!own.is_empty() && own.is_part_of(&known)).then_some(word)
 }
 
 #[cfg(test)]
@@ -356,6 +409,31 @@ mod tests {
             ("2, x1 and θ", Some("2")),
             ("Three: x, y and z", Some("3")),
             ("no half-cycles", Some("0")),
+            ("there are none", Some("0")),
+            ("twenty-four", Some("24")),
+            ("Twenty four half-cycles", Some("24")),
+            ("1DOF", Some("1")),
+            ("3 coords in total", Some("3")),
+            ("three (3)", Some("3")),
+            ("one, the angle", Some("1")),
+            ("3 (0, ±93.5)", Some("3")),
+            ("x, y, z so 3", Some("3")),
+            ("n = 3.17 → 4", Some("4")),
+            ("7.9, so 8", Some("8")),
+            ("two full cycles, = 4", Some("4")),
+            ("4 constraints * 3 = 12", Some("4 * 3 = 12")),
+            ("12 (3 per point)", Some("12")),
+            ("2, x1 and x2, θ follows", Some("2")),
+            ("the 4th", None),
+            ("20 4", None),
+            ("3 → 4", None),
+            ("3.17 = 5", None),
+            ("2 + 1 = 4", None),
+            ("2, but 1 is redundant", None),
+            ("3 (0, 93.5)", None),
+            ("none", None),
+            ("1 or 2, so 1 or 2", None),
+            ("3 (2 of them redundant)", None),
             ("2 cycles", None),
             ("2 or 3", None),
             ("2 or more half-cycles", None),
@@ -365,6 +443,18 @@ mod tests {
             ("2 half", None),
             ("about two blocks", None),
             ("2", None),
+        ] {
+            assert_eq!(in_digits(typed, &asked).as_deref(), digits, "{typed}");
+        }
+    }
+
+    #[test]
+    fn a_rank_is_a_count_where_one_is_asked() {
+        let asked = Wording::of("Which is the last extremum?");
+        for (typed, digits) in [
+            ("the 4th", Some("4")),
+            ("4th extremum", Some("4")),
+            ("4th cycle", None),
         ] {
             assert_eq!(in_digits(typed, &asked).as_deref(), digits, "{typed}");
         }

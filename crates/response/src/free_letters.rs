@@ -1,13 +1,13 @@
 //! The letters of a formula that may mean anything.
 
 use super::Lexicon;
-use super::letters::{greek_word, letter};
+use super::letters::{Letters, greek_word, letter, lowered};
 use super::vocabulary::is_function;
 use vibank_formula::expr::Name;
 use vibank_notation::symbol;
 
 /// Whether no run of letters is a word that joins or denies.
-pub(crate) fn are_no_words(text: &str) -> bool {
+fn are_no_words(text: &str) -> bool {
     const WORDS: [&str; 24] = [
         "or", "and", "nor", "not", "no", "but", "so", "is", "if", "in", "to", "by", "at", "as",
         "of", "on", "for", "the", "are", "was", "one", "two", "yes", "oder",
@@ -27,33 +27,31 @@ pub(crate) fn lexicon(text: &str) -> Option<Lexicon> {
         let is_known = is_command || is_function(run) || greek_word(run).is_some();
         run.len() >= WORD && !is_known
     };
-    if !text.contains(is_sign) || runs.any(is_word) {
+    if !text.contains(is_sign) || runs.any(is_word) || !are_no_words(text) {
         return None;
     }
     let mut lexicon = Lexicon::new();
     let mut rest = text;
     while let Some(first) = rest.chars().next() {
-        let (length, name) = letter(rest).unwrap_or((first.len_utf8(), String::new()));
-        rest = &rest[length..];
-        if name.is_empty() || first.is_ascii_digit() {
+        let Some((length, _)) = letter(rest).filter(|_| !first.is_ascii_digit()) else {
+            rest = &rest[first.len_utf8()..];
             continue;
-        }
-        let is_index = |char: char| matches!(char, '₀'..='₉' | '0'..='9' | '_');
+        };
+        let is_index =
+            |char: char| matches!(char, '0'..='9' | '₀'..='₉' | '_') || lowered(char).is_some();
         // `T_rot`, `T_{rot}`
         let is_word = |char: char| is_index(char) || char.is_ascii_alphabetic();
-        let behind = match rest.strip_prefix('_') {
+        let own = &rest[length..];
+        let behind = match own.strip_prefix('_') {
             Some(index) => match index.strip_prefix('{').and_then(|own| own.split_once('}')) {
                 Some((_, behind)) => behind,
                 None => index.trim_start_matches(is_word),
             },
-            None => rest.trim_start_matches(is_index),
+            None => own.trim_start_matches(is_index),
         };
-        let indices = &rest[..rest.len() - behind.len()];
-        let digits = indices
-            .char_indices()
-            .filter_map(|(at, _)| letter(&indices[at..]));
-        let name = digits.fold(name, |name, (_, digit)| name + &digit);
-        lexicon.allow(&Name::new(name.as_str()), symbol(&name), false);
+        if let Some(name) = Letters::spelling(&rest[..rest.len() - behind.len()]) {
+            lexicon.allow(&Name::new(name.as_str()), symbol(&name), false);
+        }
         rest = behind;
     }
     Some(lexicon)

@@ -313,11 +313,6 @@ impl<'t> Passage<'t> {
         Reworded::of(format!("1 {}", self.0))
     }
 
-    /// An integer without the remark in brackets after it, `3 (x, y, z)`.
-    pub fn before_remark(self) -> Option<Self> {
-        counts::before_remark(self.0).map(Self::of)
-    }
-
     /// The word for what is counted, after a number: `2 periods`.
     pub fn counted(self) -> Option<Self> {
         counts::counted(self.0).map(Self::of)
@@ -449,7 +444,7 @@ impl<'t> Passage<'t> {
     /// Whether it is a formula of letters, whatever they stand for, `2πf`.
     pub fn is_of_free_letters(self) -> bool {
         let reads = |lexicon: &Lexicon| self.formula(lexicon, Manner::REAL).is_ok();
-        free_letters::are_no_words(self.0) && self.free_letters().is_some_and(|own| reads(&own))
+        self.free_letters().is_some_and(|own| reads(&own))
     }
 
     /// The letters of a formula as names; nothing where its letters are words, or where it has no sign of a formula.

@@ -1,7 +1,7 @@
 //! Words, as responses and options are made of: without regard to case, spacing and the signs around them.
 
 use super::letters::greek_word;
-use super::words::{ANNOUNCEMENTS, ARTICLES, CLAUSES, DENIALS, DOUBTS, THINGS, WITHDRAWALS};
+use super::words::{ANNOUNCEMENTS, CLAUSES, DOUBTS, JOINTS, WITHDRAWALS};
 use super::{Folded, Passage, Wording};
 use vibank_source::lower;
 
@@ -27,9 +27,15 @@ impl Phrase {
     }
 
     /// The words of a text that is not folded.
-    pub fn of_printed(text: &str) -> Self {
+    pub fn unfolded(text: &str) -> Self {
         let folded = Folded::of(text);
         Self::of(folded.as_ref().map_or(text, Folded::text))
+    }
+
+    /// The words of a text that is printed. What stands before a colon is part of it.
+    pub fn of_printed(text: &str) -> Self {
+        let pieces = text.split(": ").map(|piece| Self::unfolded(piece).typed);
+        Self::of(&pieces.collect::<Vec<_>>().join(": "))
     }
 
     /// As they were typed.
@@ -40,6 +46,16 @@ impl Phrase {
     /// The passage that they are.
     pub fn passage(&self) -> Passage<'_> {
         Passage::of(&self.typed)
+    }
+
+    /// The single words, with their endings.
+    pub(crate) fn spellings(&self) -> impl Iterator<Item = String> {
+        let words = self
+            .plain
+            .split(|char: char| !char.is_alphabetic() && char != '-');
+        words
+            .map(|word| word.replace('-', ""))
+            .filter(|word| !word.is_empty())
     }
 
     /// Whether they are those of a text in small letters.
@@ -63,6 +79,16 @@ impl Phrase {
             [letter @ b'a'..=b'z'] => Some(*letter),
             _ => None,
         }
+    }
+
+    /// The letter of the place that they are, `second`, `the first option`.
+    pub fn rank(&self) -> Option<Self> {
+        const RANKS: [&str; 5] = ["first", "second", "third", "fourth", "fifth"];
+        let words = self.plain.split(' ');
+        let mut words = words.filter(|word| !matches!(*word, "the" | "option" | "answer" | "one"));
+        let rank = words.next().filter(|_| words.next().is_none())?;
+        let place = RANKS.iter().position(|own| *own == rank)?;
+        Some(Self::of(&char::from(b'a' + place as u8).to_string()))
     }
 
     /// The letters of the only word, each once.
@@ -132,36 +158,20 @@ impl Phrase {
         (is_label && !words.trim().is_empty()).then(|| (Self::of(letter), Self::of(words)))
     }
 
-    /// What is said of the thing that is asked about: `the motion is underdamped`, `it is stable`.
-    pub fn said(&self) -> Option<Self> {
-        // Words for an equals sign have become one.
-        let mut signs = ["=", " is ", " are "].iter();
-        let (thing, said) = signs.find_map(|sign| self.typed.split_once(sign))?;
-        let thing = Self::of(thing).plain;
-        let thing = thing.strip_prefix("the ").unwrap_or(&thing);
-        THINGS.contains(&thing).then(|| Self::of(said.trim()))
+    /// What is said at once, between words that join and equals signs that stand for `is`; `or` is a statement of its own.
+    pub fn statements(&self) -> Vec<Self> {
+        let text = self.typed.replace(" or ", " and or and ");
+        of_pieces(pieces(&text, JOINTS))
     }
 
-    /// What signs and words part that begin a reason or a correction: `ζ > 1, overdamped`, `elastic, not viscous`.
+    /// What signs and words part that join or begin a reason or a correction: `ζ > 1, overdamped`, `elastic, not viscous`.
     pub fn clauses(&self) -> Vec<Self> {
-        let parts = self.typed.split([',', ';', ':', '(', ')', '→', '⇒', '\n']);
-        let parts = parts
-            .flat_map(|part| part.split("->"))
-            .flat_map(|part| part.split("=>"));
-        let cut = |pieces: Vec<String>, word: &&str| -> Vec<String> {
-            let cut = pieces
-                .iter()
-                .flat_map(|piece| piece.split(*word))
-                .map(str::to_owned);
-            cut.collect()
-        };
-        let parts = CLAUSES.iter().fold(parts.map(str::to_owned).collect(), cut);
-        let parts = parts.iter().flat_map(|part| said_apart(part));
-        let parts = parts.map(|part| part.trim_matches([' ', '=', '-', '.', '!']));
-        parts
-            .filter(|part| !part.is_empty())
-            .map(Self::of)
-            .collect()
+        let statements = self.statements();
+        let parts = statements.iter().flat_map(|own| {
+            let parts = own.typed.split([',', ';', ':', '(', ')', '→', '⇒', '\n']);
+            parts.flat_map(|part| pieces(part, CLAUSES))
+        });
+        of_pieces(parts.collect())
     }
 
     /// Whether they compare symbols, `ζ > 1`, with no word beside them.
@@ -169,6 +179,7 @@ impl Phrase {
         let is_word = |word: &str| {
             word.chars().filter(|char| char.is_alphabetic()).count() >= MIN_LETTERS
                 && greek_word(word.trim_start_matches('\\')).is_none()
+                && !word.contains('_')
         };
         let mut words = self
             .plain
@@ -181,10 +192,10 @@ impl Phrase {
         self.plain.contains(['<', '>', '≤', '≥', '='])
     }
 
-    /// What a clause denies, `not viscous`.
+    /// What a clause denies, `not viscous`; `not stable` says what it is.
     pub fn denied(&self) -> Option<Self> {
-        let own = self.plain.strip_prefix("and ").unwrap_or(&self.plain);
-        own.strip_prefix("not ").map(Self::of)
+        let denied = self.plain.strip_prefix("not ");
+        denied.filter(|_| self.wording().denies()).map(Self::of)
     }
 
     /// The letter before words, `b lower the damping`, and the words.
@@ -197,12 +208,6 @@ impl Phrase {
     /// What the words mean.
     pub fn wording(&self) -> Wording {
         Wording::of(&self.typed)
-    }
-
-    /// These words and others after them.
-    #[must_use]
-    pub fn and(&self, other: &Self) -> Self {
-        Self::of(&format!("{}, {}", self.typed, other.typed))
     }
 
     /// Whether a word takes back or leaves open what is said.
@@ -223,7 +228,7 @@ impl Phrase {
         if self.typed.trim_start().starts_with(['<', '>', '≤', '≥']) {
             return vec![self.clone()];
         }
-        let parts = self.typed.split([',', ';', '>', '→', '\n']);
+        let parts = self.typed.split([',', ';', '>', '≥', '→', '|', '\n']);
         let parts = parts.flat_map(|part| part.split(" - "));
         let parts = parts.flat_map(|part| part.split(" and "));
         let parts = parts.flat_map(|part| part.split(" then "));
@@ -254,56 +259,30 @@ impl Phrase {
         (are_words && word.chars().count() >= MIN_LETTERS).then(|| Self::of(&word))
     }
 
-    /// Whether these words begin with others that are long enough to be told apart.
+    /// Whether these words begin with others that are long enough to be told apart, and leave no other way open.
     pub fn begins_with(&self, words: &Self) -> bool {
         let rest = self.plain.strip_prefix(words.plain.as_str());
         words.plain.chars().count() >= MIN_LETTERS
-            && rest.is_some_and(|rest| !rest.starts_with(char::is_alphanumeric))
+            && rest.is_some_and(|rest| {
+                !rest.starts_with(char::is_alphanumeric) && !rest.contains(" or ")
+            })
     }
+}
 
-    /// The words without articles and signs.
-    fn contents(&self) -> Vec<&str> {
-        let signs = |char: char| char.is_whitespace() || "(),".contains(char);
-        let words = self.plain.split(signs);
-        words
-            .filter(|word| !word.is_empty() && !ARTICLES.contains(word))
-            .collect()
-    }
+/// The phrases of pieces that say something.
+fn of_pieces(pieces: Vec<&str>) -> Vec<Phrase> {
+    let pieces = pieces.into_iter().flat_map(said_apart);
+    let pieces = pieces.map(|piece| piece.trim_matches([' ', '=', '-', '.', '!']));
+    let pieces = pieces.filter(|piece| !piece.is_empty());
+    pieces.map(Phrase::of).collect()
+}
 
-    /// Whether one of the words is long enough to be told apart from letters.
-    pub fn is_long(&self) -> bool {
-        let mut words = self.contents().into_iter();
-        words.any(|word| word.chars().count() >= MIN_LETTERS)
-    }
-
-    /// Whether both are the same words, articles and signs aside.
-    pub fn has_contents_of(&self, other: &Self) -> bool {
-        self.contents() == other.contents()
-    }
-
-    /// Whether other words stand in these.
-    pub fn holds(&self, other: &Self) -> bool {
-        let (own, other) = (self.contents(), other.contents());
-        own.windows(other.len().max(1)).any(|run| run == other)
-    }
-
-    /// Whether words deny or join what others say: `decreases` is not "never decreases", nor `damped` "elastic and
-    /// damped".
-    pub fn changes(&self, other: &Self) -> bool {
-        let other = other.contents();
-        let mut own = self.contents().into_iter();
-        own.any(|word| DENIALS.contains(&word) && !other.contains(&word))
-    }
-
-    /// Whether these words are others beside what is asked about: `elastic coupling`, `the displacement lags`.
-    pub fn names(&self, other: &Self) -> bool {
-        let (own, other) = (self.contents(), other.contents());
-        let found = own.windows(other.len().max(1)).position(|run| run == other);
-        found.is_some_and(|at| {
-            let mut others = own[..at].iter().chain(&own[at + other.len()..]);
-            others.all(|word| THINGS.contains(word))
-        })
-    }
+/// What words part.
+fn pieces<'t>(text: &'t str, words: &[&str]) -> Vec<&'t str> {
+    words.iter().fold(vec![text], |pieces, word| {
+        let pieces = pieces.into_iter();
+        pieces.flat_map(|piece| piece.split(*word)).collect()
+    })
 }
 
 /// The sides of an equals sign that stands for `is`, `upright = unstable`, and of a slash between words; those of a
@@ -315,8 +294,8 @@ fn said_apart(text: &str) -> Vec<&str> {
     };
     let between = [" = ", "/"].into_iter().find_map(|sign| {
         let (before, behind) = text.split_once(sign)?;
-        let last = before.rsplit(' ').next().is_some_and(is_long);
-        let next = behind.split(' ').next().is_some_and(is_long);
+        let last = before.trim_end().rsplit(' ').next().is_some_and(is_long);
+        let next = behind.trim_start().split(' ').next().is_some_and(is_long);
         let is_apart = if sign == "/" {
             last && next
         } else {

@@ -18,6 +18,7 @@ use self::marks::{CALLS, Mark, Marked, marks};
 use super::answering::without_condition;
 use super::list::{cut, cut_where, trimmed};
 use super::surroundings::behind_word;
+use super::wording::is_symbol;
 use super::words::{CONDITIONS, ENDS, LIMITS, ONWARDS, RANGES, UNBOUNDED, VERBS};
 use super::{MAX_LENGTH, Passage, Wording};
 use vibank_formula::unit::DecimalMark;
@@ -443,10 +444,12 @@ fn condition_said<'t>(text: &'t str, asked: &Wording) -> &'t str {
         asked.covers(before).then_some(behind)
     });
     let text = joint.unwrap_or(text).trim_start();
-    CONDITIONS
-        .iter()
-        .find_map(|word| behind_word(text, word))
-        .unwrap_or(text)
+    let said = CONDITIONS.iter().find_map(|word| behind_word(text, word));
+    let said = said.unwrap_or(text);
+    // `every stiffness < 250 N/m`
+    let named = said.split_at(said.find(['<', '>', '≤', '≥']).unwrap_or_default());
+    let is_named = !named.0.split_whitespace().any(is_symbol) && asked.covers(named.0);
+    if is_named { named.1 } else { said }
 }
 
 /// An answer without the brackets around all of it.
@@ -582,7 +585,13 @@ fn range(text: &str) -> Option<Said<'_>> {
         [(_, None), (_, None)] => None,
         _ => return None,
     };
-    let lead = Passage::of(lead.trim().trim_end_matches(['=', ':']));
+    let lead = lead.trim().trim_end_matches(['=', ':']);
+    let mut verbs = VERBS.iter();
+    let lead = Passage::of(
+        verbs
+            .find_map(|verb| lead.strip_suffix(verb))
+            .unwrap_or(lead),
+    );
     Some(Said::Interval {
         subject: Some(lead).filter(|lead| !lead.is_empty()),
         ends: ends.map(|(end, _)| Passage::of(end)),

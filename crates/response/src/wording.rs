@@ -1,12 +1,8 @@
 //! Words by what they mean: stems, with one word for all that mean the same in the field, without those that say nothing.
 
-use std::collections::BTreeMap;
-use std::sync::LazyLock;
-
-use super::letters::{greek_word, letter};
-use super::words::{
-    FILLERS, OTHER_VALUES, PREFIXES, RUNS_OF_WORDS, STRESSES, SUFFIXES, SYNONYMS, THINGS,
-};
+use super::letters::{greek_word, letter, lowered};
+use super::words::{FILLERS, OTHER_VALUES, PREFIXES, RUNS_OF_WORDS, STRESSES, SUFFIXES, SYNONYMS};
+use vibank_notation::greek_name;
 use vibank_source::lower;
 
 /// The words of a text that say something, in their order.
@@ -15,40 +11,18 @@ use vibank_source::lower;
 /// use vibank_response::Wording;
 ///
 /// let option = Wording::of("statically only");
-/// assert!(Wording::of("only static").is_within(&option));
-/// assert!(!Wording::of("not static").is_within(&option));
+/// assert!(Wording::of("only static").is_same(&option));
+/// assert!(!Wording::of("not static").is_same(&option));
 /// ```
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Wording(Vec<String>);
 
-/// Each stem of a row of synonyms, and the one that stands for all of it.
-static MEANT: LazyLock<BTreeMap<String, String>> = LazyLock::new(|| {
-    let rows = SYNONYMS.iter().filter_map(|row| row.split_first());
-    let rows = rows.flat_map(|(first, others)| {
-        let own = stem(first);
-        let others = others.iter().map(|other| stem(other));
-        others.map(move |other| (other, own.clone()))
-    });
-    rows.collect()
-});
-
 /// A denial, whatever its word.
-const NOT: &str = "not";
-/// Words that join what is said on their two sides.
-const JOINTS: [&str; 2] = ["and", "or"];
+pub(crate) const NOT: &str = "not";
 
 impl Wording {
     /// The words of a text, folded or not.
     pub fn of(text: &str) -> Self {
-        Self::read(text, meant)
-    }
-
-    /// The same where each word stands for itself alone.
-    pub fn literal(text: &str) -> Self {
-        Self::read(text, stem)
-    }
-
-    fn read(text: &str, meant: impl Fn(&str) -> String) -> Self {
         let text = lower(text);
         let text = RUNS_OF_WORDS.iter().fold(text, |text, (run, word)| {
             if text.contains(run) {
@@ -60,24 +34,31 @@ impl Wording {
         let mut words: Vec<String> = Vec::new();
         let mut prefix = None;
         for piece in joined(&text).split(is_gap) {
-            let plain: String = piece
-                .chars()
-                .filter(|char| !"-_'\\$".contains(*char))
-                .collect();
+            let mut plain = String::new();
+            for char in piece.chars().filter(|char| !"-_'\\$".contains(*char)) {
+                match greek_name(char) {
+                    Some(name) => plain.push_str(name),
+                    None => plain.push(lowered(char).unwrap_or(char)),
+                }
+            }
             if plain.is_empty() {
                 continue;
             }
             if PREFIXES.contains(&plain.as_str()) {
-                words.extend(prefix.replace(plain).as_deref().map(&meant));
+                words.extend(prefix.replace(plain).as_deref().map(meant));
                 continue;
             }
-            let whole = prefix.take().unwrap_or_default() + &plain;
+            // `\\varphi`
+            let variant = plain
+                .strip_prefix("var")
+                .filter(|own| greek_word(own).is_some());
+            let whole = prefix.take().unwrap_or_default() + variant.unwrap_or(&plain);
             let own = meant(&whole);
             if !FILLERS.contains(&whole.as_str()) && words.last() != Some(&own) {
                 words.push(own);
             }
         }
-        words.extend(prefix.as_deref().map(&meant));
+        words.extend(prefix.as_deref().map(meant));
         Self(words)
     }
 
@@ -86,25 +67,24 @@ impl Wording {
         Self::of(&format!("{STRESSES} {text}"))
     }
 
-    /// With the words for what is asked about, which may be said beside any option.
-    #[must_use]
-    pub fn with_things(self) -> Self {
-        self.joined(&Self::of(&THINGS.join(" ")))
-    }
-
     /// Whether nothing is said.
     pub fn is_empty(&self) -> bool {
         self.0.is_empty()
     }
 
-    /// How many words say something.
-    pub fn count(&self) -> usize {
-        self.0.len()
+    /// Stems of words that mean what is said.
+    pub(crate) fn of_words(words: Vec<String>) -> Self {
+        Self(words)
     }
 
-    /// Whether a word of it is that of another, or means the same.
-    pub fn has(&self, word: &str) -> bool {
-        Self::of(word).0.iter().all(|own| self.0.contains(own))
+    /// The stems of the words.
+    pub(crate) fn words(&self) -> &[String] {
+        &self.0
+    }
+
+    /// Whether a stem is that of a word.
+    pub(crate) fn has_word(&self, word: &str) -> bool {
+        self.0.iter().any(|own| own == word)
     }
 
     /// With the words of another text after its own.
@@ -112,14 +92,6 @@ impl Wording {
     pub fn joined(mut self, other: &Self) -> Self {
         self.0.extend(other.0.iter().cloned());
         self
-    }
-
-    /// Without the words that others do not have; none where one of them is no part of `said` either.
-    pub fn known_among(&self, others: &[Self], said: &Self) -> Option<Self> {
-        let is_known = |word: &&String| others.iter().any(|other| other.0.contains(word));
-        let (known, unknown): (Vec<&String>, Vec<&String>) = self.0.iter().partition(is_known);
-        let is_said = unknown.iter().all(|word| said.0.contains(word));
-        is_said.then(|| Self(known.into_iter().cloned().collect()))
     }
 
     /// Whether words that are among these or say nothing make up a text.
@@ -162,54 +134,35 @@ impl Wording {
         (rest.len() < value.len() && has_digit).then_some(rest)
     }
 
-    /// Whether it has a word of one of the others.
-    pub fn touches(&self, others: &[Self]) -> bool {
-        let is_known = |word: &String| others.iter().any(|other| other.0.contains(word));
-        self.0.iter().any(is_known)
-    }
-
     /// Whether something is denied.
     pub fn denies(&self) -> bool {
         self.0.iter().any(|word| word == NOT)
     }
 
+    /// Whether all its words are among those of another.
+    pub(crate) fn is_part_of(&self, other: &Self) -> bool {
+        self.0.iter().all(|word| other.0.contains(word))
+    }
+
     /// Whether both have the same words, in any order.
     pub fn is_same(&self, other: &Self) -> bool {
-        let all_in = |one: &Self, other: &Self| one.0.iter().all(|word| other.0.contains(word));
-        all_in(self, other) && all_in(other, self)
+        self.is_part_of(other) && other.is_part_of(self)
     }
+}
 
-    /// Whether its words stand one after the other in another text.
-    pub fn is_run_of(&self, other: &Self) -> bool {
-        other
-            .0
-            .windows(self.0.len().max(1))
-            .any(|run| run == self.0)
-    }
-
-    /// Whether its words stand in another text in this order; in any order where that has few.
-    pub fn is_within(&self, other: &Self) -> bool {
-        /// With more words the order says what belongs to what: `lags below and leads above`.
-        const MAX_WORDS: usize = 4;
-        if other.0.len() <= MAX_WORDS {
-            return self.0.iter().all(|word| other.0.contains(word));
-        }
-        let mut rest = other.0.iter();
-        self.0.iter().all(|word| rest.any(|own| own == word))
-    }
-
-    /// Whether what it leaves out of an option changes what is said: a denial, or what is joined with it there and stands
-    /// in some of the other options alone.
-    pub fn leaves_out(&self, option: &Self, others: &[&Self]) -> bool {
-        let mut left = option.0.iter().filter(|word| !self.0.contains(word));
-        let is_joined = |word: &str| JOINTS.contains(&word);
-        let joins = left.clone().any(|word| is_joined(word));
-        let tells = |word: &String| {
-            let count = others.iter().filter(|other| other.0.contains(word)).count();
-            !is_joined(word) && 0 < count && count < others.len()
-        };
-        left.clone().any(|word| word == NOT) || joins && left.any(tells)
-    }
+/// Whether a word is a symbol or a formula: a letter, or letters with digits and signs.
+pub(crate) fn is_symbol(word: &str) -> bool {
+    /// Letters of the shortest Greek names that begin no word: `omegan`, not `pin`.
+    const MIN_NAME: usize = 4;
+    let name = word.trim_start_matches('\\');
+    word.contains(char::is_alphabetic)
+        && (name.chars().nth(1).is_none()
+            || greek_word(name).is_some()
+            || name.contains(|char: char| {
+                !char.is_alphabetic() && char != '-' || greek_name(char).is_some()
+            })
+            || letter(name)
+                .is_some_and(|(length, _)| length >= MIN_NAME && length + 1 == name.len()))
 }
 
 /// Signs that stand between words.
@@ -219,16 +172,14 @@ fn is_gap(char: char) -> bool {
 
 /// The spelling in which the sides of a short comparison are one word, `L = m`.
 fn joined(text: &str) -> String {
-    /// What stands beside an equals sign is a word of its own if it is longer.
-    const MAX_LETTERS: usize = 4;
     let mut words: Vec<String> = Vec::new();
     let is_sign = |word: &str| matches!(word, "=" | "<" | ">" | "≤" | "≥");
-    let is_short = |word: &str| word.chars().count() <= MAX_LETTERS;
+    let is_side = |word: &str| is_symbol(word) || !word.contains(char::is_alphabetic);
     let mut pieces = text.split_whitespace().peekable();
     while let Some(piece) = pieces.next() {
         let next = pieces.peek().copied().unwrap_or_default();
         let is_joined =
-            is_sign(piece) && is_short(next) && words.last().is_some_and(|last| is_short(last));
+            is_sign(piece) && is_side(next) && words.last().is_some_and(|last| is_side(last));
         match words.last_mut().filter(|_| is_joined) {
             Some(last) => {
                 last.push_str(piece);
@@ -244,16 +195,15 @@ fn joined(text: &str) -> String {
 /// The word that stands for all that mean the same.
 fn meant(word: &str) -> String {
     let own = stem(word);
-    MEANT.get(&own).cloned().unwrap_or(own)
+    let mut rows = SYNONYMS.iter();
+    let row = rows.find(|row| row.contains(&own.as_str()));
+    row.map_or(own, |row| row[0].to_owned())
 }
 
 /// A word without its ending; a Greek letter by its name.
 fn stem(word: &str) -> String {
     /// Shorter words have no endings.
     const MIN_LETTERS: usize = 4;
-    if word.chars().count() == 1 {
-        return letter(word).map_or_else(|| word.to_owned(), |(_, name)| name);
-    }
     if greek_word(word).is_some() || !word.chars().all(char::is_alphabetic) {
         return word.to_owned();
     }
@@ -320,9 +270,11 @@ mod tests {
     }
 
     #[test]
-    fn the_order_of_many_words_counts() {
-        let option = Wording::of("lags below ω_n and leads above");
-        assert!(Wording::of("lags below and leads above").is_within(&option));
-        assert!(!Wording::of("leads below and lags above").is_within(&option));
+    fn synonyms_stand_in_the_table_once() {
+        let mut all: Vec<&str> = SYNONYMS.concat();
+        let count = all.len();
+        all.sort_unstable();
+        all.dedup();
+        assert_eq!(all.len(), count);
     }
 }

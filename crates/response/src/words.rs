@@ -4,8 +4,8 @@ mod choices;
 mod ranges;
 
 pub(crate) use self::choices::{
-    ANNOUNCEMENTS, ARTICLES, CLAUSES, DENIALS, DOUBTS, FILLERS, PREFIXES, RUNS_OF_WORDS, STRESSES,
-    SUFFIXES, SYNONYMS, THINGS,
+    ANNOUNCEMENTS, CLAUSES, DENIALS, DOUBTS, FILLERS, JOINTS, PREFIXES, RUNS_OF_WORDS, STRESSES,
+    SUFFIXES, SYNONYMS, THINGS, TURNS,
 };
 pub(crate) use self::ranges::{CONDITIONS, ENDS, LIMITS, ONWARDS, RANGES, RANKS, UNBOUNDED};
 
@@ -42,6 +42,10 @@ pub(crate) const WORDS: &[(&str, &str)] = &[
     ("strictly larger than", ">"),
     ("strictly less than", "<"),
     ("strictly smaller than", "<"),
+    ("strictly above", ">"),
+    ("strictly below", "<"),
+    ("higher than", ">"),
+    ("lower than", "<"),
     ("must not exceed", "≤"),
     ("should not exceed", "≤"),
     ("may not exceed", "≤"),

@@ -1,7 +1,7 @@
 //! Options that are formulas, compared as such: `q^2/(2C)`, `0.5 q²/C`.
 
 use crate::expr::{Expr, Normal, Relation};
-use crate::response::{Folded, Manner, Passage};
+use crate::response::{Manner, Passage};
 
 /// A formula, or a comparison of formulas, in letters that mean nothing.
 pub(crate) struct Formula {
@@ -10,11 +10,6 @@ pub(crate) struct Formula {
 }
 
 impl Formula {
-    /// The formula that an option is, as it is printed.
-    pub(crate) fn of_printed(option: &str) -> Option<Self> {
-        Self::of(Folded::of(option).ok()?.passage())
-    }
-
     /// The formula that a passage is; nothing for words and for a letter alone.
     pub(crate) fn of(typed: Passage<'_>) -> Option<Self> {
         let lexicon = typed.free_letters()?;
@@ -44,13 +39,16 @@ impl Formula {
 #[cfg(test)]
 mod tests {
     use super::Formula;
+    use crate::response::Phrase;
+
+    fn of_printed(text: &str) -> Option<Formula> {
+        Formula::of(Phrase::of_printed(text).passage())
+    }
 
     #[test]
     fn a_formula_is_one_however_it_is_written() {
         let is = |typed: &str, printed: &str| {
-            let (Some(typed), Some(printed)) =
-                (Formula::of_printed(typed), Formula::of_printed(printed))
-            else {
+            let (Some(typed), Some(printed)) = (of_printed(typed), of_printed(printed)) else {
                 return false;
             };
             typed.is(&printed)
@@ -74,7 +72,7 @@ mod tests {
         ] {
             assert!(!is(typed, printed), "{typed}");
         }
-        assert!(Formula::of_printed("overdamped").is_none());
-        assert!(Formula::of_printed("the resistance R = 2").is_none());
+        assert!(of_printed("overdamped").is_none());
+        assert!(of_printed("the resistance R = 2").is_none());
     }
 }

@@ -10,31 +10,10 @@ use crate::answer::{
 use crate::document::Document;
 use crate::math::Math;
 use crate::numerics::Rational;
-use crate::response::{Passage, Phrase, Wording};
+use crate::response::{Passage, Phrase, Senses};
 
-/// The options `yes` and `no`, and those that other languages have nearly alike, in other words.
-const ASSENTS: [(&str, &[&str]); 4] = [
-    (
-        "unstable",
-        &["not stable", "instable", "instabil", "inestable"],
-    ),
-    ("stable", &["stabil", "estable"]),
-    (
-        "yes",
-        &["y", "oui", "ja", "sí", "true", "it does", "yes, it does"],
-    ),
-    (
-        "no",
-        &[
-            "n",
-            "non",
-            "nein",
-            "false",
-            "it does not",
-            "no, it does not",
-        ],
-    ),
-];
+/// Options, and what stands for them.
+const ASSENTS: [(&str, &[&str]); 2] = [("yes", &["y", "true", "it does"]), ("no", &["n", "false"])];
 
 /// The options of a part, whatever the data; places are those of the file.
 #[derive(Debug)]
@@ -45,13 +24,8 @@ pub(crate) struct Options {
     pub(crate) sources: Vec<Phrase>,
     /// As they are printed.
     pub(crate) texts: Vec<String>,
-    /// What the words mean, without and with those of the ids.
-    pub(crate) meanings: Vec<Wording>,
-    pub(crate) named: Vec<Wording>,
-    /// Their own words, with those of the ids.
-    pub(crate) literal: Vec<Wording>,
-    /// The words of the question, which say nothing beside an option.
-    pub(crate) asked: Wording,
+    /// What they say.
+    pub(crate) senses: Senses,
     pub(crate) feedback: Vec<Option<Document>>,
 }
 
@@ -165,16 +139,14 @@ impl Chosen {
             .or_else(|| self.of_words(typed))
             .or_else(|| self.of_words(&bare))
             .or_else(|| self.only(|place| self.options.words[place].begins_with(&bare)))
-            .or_else(|| self.of_words_within(&bare))
-            .or_else(|| self.of_words_within(&bare.joined()?))
-            .or_else(|| self.of_words_beside(&bare))
             .or_else(|| {
-                let (own, _) = ASSENTS
-                    .iter()
-                    .find(|(_, others)| others.iter().any(|other| bare.is(other)))?;
+                let mut all = ASSENTS.iter();
+                let (own, _) = all.find(|(_, others)| others.iter().any(|other| bare.is(other)))?;
                 self.of_words(&Phrase::of(own))
             })
             .or_else(|| self.of_formula(typed))
+            .or_else(|| self.of_clauses(&bare))
+            .or_else(|| self.of_letter(&bare.rank()?))
     }
 
     /// The one option of which something holds.
@@ -190,9 +162,12 @@ impl Chosen {
         const MAX_LENGTH: usize = 300;
         let typed = Some(typed.passage()).filter(|typed| typed.is_shorter_than(MAX_LENGTH))?;
         let typed = Formula::of(typed)?;
-        let texts = self.options.texts.iter();
-        let formulas: Vec<Option<Formula>> = texts.map(|text| Formula::of_printed(text)).collect();
-        self.only(|place| formulas[place].as_ref().is_some_and(|own| own.is(&typed)))
+        let is_it = |own: &Phrase| Formula::of(own.passage()).is_some_and(|own| own.is(&typed));
+        self.only(|place| {
+            let own = &self.options.words[place];
+            let is_one = own.statements().len() == 1;
+            is_it(own) || is_one && own.clauses().iter().any(is_it)
+        })
     }
 
     /// The option that bears a letter.
@@ -211,56 +186,6 @@ impl Chosen {
             .or_else(|| options.words.iter().position(|own| own.is_joined_as(words)))
     }
 
-    /// The only option in which these words stand, `inductance` for "the inductance L", articles aside.
-    fn of_words_within(&self, words: &Phrase) -> Option<usize> {
-        let own = |place: usize| &self.options.words[place];
-        self.only(|place| own(place).has_contents_of(words))
-            .or_else(|| {
-                let holds = self.only(|place| own(place).holds(words));
-                holds.filter(|place| !own(*place).changes(words))
-            })
-            .filter(|_| words.is_long())
-    }
-
-    /// The only option whose words were typed beside what is asked about: `elastic coupling`, `the displacement lags`.
-    fn of_words_beside(&self, words: &Phrase) -> Option<usize> {
-        let options = &self.options;
-        self.only(|place| {
-            words.names(&options.words[place]) || words.names(&Phrase::of(&options.ids[place]))
-        })
-    }
-
-    /// The only option that words mean, in their order; of several the one that bears a letter beside them. As they stand
-    /// they come before words of the same meaning.
-    fn of_meaning(&self, words: &Phrase, letter: Option<usize>) -> Option<usize> {
-        let text = words.typed();
-        let options = &self.options;
-        self.of_wording(&Wording::literal(text), &options.literal, letter)
-            .or_else(|| self.of_wording(&Wording::of(text), &options.named, letter))
-    }
-
-    fn of_wording(
-        &self,
-        words: &Wording,
-        named: &[Wording],
-        letter: Option<usize>,
-    ) -> Option<usize> {
-        let options = &self.options;
-        let known = words.known_among(named, &options.asked)?;
-        if known.is_empty() {
-            return None;
-        }
-        if let Some(letter) = letter {
-            return known.is_within(&named[letter]).then_some(letter);
-        }
-        let found = self.only(|place| known.is_same(&options.meanings[place]));
-        let found = found.or_else(|| self.only(|place| known.is_run_of(&named[place])));
-        let found = found.or_else(|| self.only(|place| known.is_within(&named[place])))?;
-        let others = (0..options.ids.len()).filter(|place| *place != found);
-        let others: Vec<&Wording> = others.map(|place| &named[place]).collect();
-        (!known.leaves_out(&named[found], &others)).then_some(found)
-    }
-
     /// The option that is chosen in one's own words, with a reason or with what it is not: `ζ > 1, overdamped`,
     /// `elastic, not viscous`, `c) in series`.
     fn of_clauses(&self, typed: &Phrase) -> Option<usize> {
@@ -269,22 +194,30 @@ impl Chosen {
         if !typed.passage().is_shorter_than(MAX_LENGTH) {
             return None;
         }
-        let options = &self.options;
-        let relate = options.words.iter().any(Phrase::relate);
-        let (mut said, mut letter, mut denied) = (None::<Phrase>, None, Vec::new());
+        let senses = &self.options.senses;
+        let relate = self.options.words.iter().any(Phrase::relate);
+        let (mut said, mut letter, mut denied) = (Vec::new(), None, Vec::new());
+        // Beside words a letter may be a symbol of theirs.
+        let is_letter = |clause: &Phrase| {
+            let is_alone = typed.letter().is_some();
+            self.of_letter(clause).is_some() && (is_alone || !senses.know(clause))
+        };
         for clause in typed.clauses() {
             if clause.compare() && !relate {
                 continue;
             }
-            if let Some(other) = clause.denied() {
-                let place = self.of_letter(&other);
-                denied.push(place.or_else(|| self.of_meaning(&other, None))?);
+            // `not coupled` says no more than `not`.
+            let is_idle = |words: &Phrase| senses.said(words).is_some_and(|own| own.is_empty());
+            if let Some(other) = clause.denied().filter(|other| !is_idle(other)) {
+                denied.push(
+                    self.of_letter(&other)
+                        .or_else(|| self.meant(&other, None))?,
+                );
                 continue;
             }
-            let is_open = clause.are_doubtful() || clause.wording().denies();
             let (own, words) = match clause.lettered() {
                 Some((own, words)) if self.agrees(&own, &words) => (own, words),
-                _ if clause.letter().is_some() => (clause, Phrase::of("")),
+                _ if is_letter(&clause) => (clause, Phrase::of("")),
                 _ => (Phrase::of(""), clause),
             };
             if let Some(place) = self.of_letter(&own)
@@ -292,23 +225,36 @@ impl Chosen {
             {
                 return None;
             }
-            if words.wording().touches(&options.named) {
-                said = Some(said.map_or_else(|| words.clone(), |said| said.and(&words)));
-            } else if is_open {
+            if senses.touches(&words) {
+                said.push(senses.said(&words)?);
+            } else if words.are_doubtful() || words.wording().denies() {
                 return None;
             }
         }
-        let found = match said {
-            Some(said) => self.of_meaning(&said, letter)?,
-            None => letter?,
+        said.retain(|words| !words.is_empty());
+        let found = if said.is_empty() {
+            letter?
+        } else {
+            senses.chosen(&said, letter)?
         };
         (!denied.contains(&found)).then_some(found)
+    }
+
+    /// The option that words mean; of several that of a letter beside them.
+    fn meant(&self, words: &Phrase, letter: Option<usize>) -> Option<usize> {
+        let senses = &self.options.senses;
+        senses.chosen(&[senses.said(words)?], letter)
     }
 
     /// Whether a letter and words are of one option.
     fn agrees(&self, letter: &Phrase, words: &Phrase) -> bool {
         let place = self.of_letter(letter);
-        place.is_some_and(|place| self.of_meaning(words, Some(place)).is_some())
+        place.is_some_and(|place| self.meant(words, Some(place)).is_some())
+    }
+
+    /// Whether one option is to be chosen.
+    fn is_one(&self) -> bool {
+        !self.is_several && !self.is_ranking
     }
 
     /// All that was typed, or what of it is not an option.
@@ -322,19 +268,14 @@ impl Chosen {
         if self.is_several && response.is("none") {
             return Ok(Vec::new());
         }
-        let only = || self.of_words(&response.behind("only")?);
-        let place = self
-            .place(&response)
-            .or_else(|| self.place(&response.said()?))
-            .or_else(only);
-        let is_one = !self.is_several && !self.is_ranking;
-        let place = place.or_else(|| self.of_clauses(&response).filter(|_| is_one));
-        if let Some(place) = place {
+        // Commas part several.
+        let is_single = self.is_one() || response.clauses().len() == 1;
+        if let Some(place) = self.place(&response).filter(|_| is_single) {
             return Ok(vec![place]);
         }
         let mut pieces = response.parts();
         // `acd`, where no option is called so.
-        if let ([one], true) = (&pieces[..], self.is_several || self.is_ranking)
+        if let ([one], false) = (&pieces[..], self.is_one())
             && let Some(letters) = one.letters().or_else(|| one.letters_apart())
             && letters
                 .iter()
@@ -343,7 +284,13 @@ impl Chosen {
             pieces = letters;
         }
         let place = |piece: &Phrase| self.place(piece).ok_or_else(|| piece.typed().to_owned());
-        pieces.iter().map(place).collect()
+        let places: Vec<usize> = pieces.iter().map(place).collect::<Result<_, _>>()?;
+        // `if K = 0 and a = 0` is not "if K = 0 or a = 0".
+        let are_parts = self.is_one() && places.windows(2).all(|pair| pair[0] == pair[1]);
+        if are_parts && pieces.iter().any(|piece| piece.letter().is_none()) {
+            return Err(response.typed().to_owned());
+        }
+        Ok(places)
     }
 
     /// The option with all of these words.

@@ -26,7 +26,7 @@ use self::marker::{Chosen, Options};
 use super::{Answer, AnswerError, Asked, Blank, Choosable, Choosing, Context, Declare, Marker};
 use crate::document::Document;
 use crate::quantity::{Absent, NodeId};
-use crate::response::{Phrase, Wording};
+use crate::response::{Phrase, Senses, Wording};
 use crate::source::{Data, Table, Text, Value};
 
 #[derive(Debug)]
@@ -100,7 +100,7 @@ pub(crate) fn read(part: &Table<'_>, declare: &mut dyn Declare) -> Option<Box<dy
         feedback,
         asked: part
             .text("ask")
-            .map(|ask| Wording::of_question(&ask.value).with_things())
+            .map(|ask| Wording::of(&ask.value))
             .unwrap_or_default(),
         compared: OnceLock::new(),
         is_several,
@@ -128,27 +128,18 @@ impl ChoiceAnswer {
     fn compared(&self) -> Options {
         let options = self.options.iter();
         let ids = options.clone().map(|option| option.id.clone()).collect();
-        let phrases =
-            |texts: &[String]| texts.iter().map(|text| Phrase::of_printed(text)).collect();
         let texts: Vec<String> = options
             .map(|option| option.text.plain(&no_fills()))
             .collect();
-        let words: Vec<Phrase> = phrases(&texts);
-        let meanings: Vec<Wording> = words.iter().map(Phrase::wording).collect();
-        let named = meanings.iter().zip(&self.options);
-        let named = named.map(|(own, option)| own.clone().joined(&Wording::of(&option.id)));
-        let literal = words.iter().zip(&self.options);
-        let literal = literal.map(|(own, option)| {
-            Wording::literal(own.typed()).joined(&Wording::literal(&option.id))
-        });
+        let words: Vec<Phrase> = texts.iter().map(|text| Phrase::of_printed(text)).collect();
+        let sources = self.sources.iter().map(|text| Phrase::unfolded(text));
+        let named = words.iter().zip(&self.options);
+        let named = named.map(|(own, option)| (own, option.id.as_str()));
         Options {
             ids,
-            literal: literal.collect(),
-            named: named.collect(),
-            meanings,
-            asked: self.asked.clone(),
+            senses: Senses::of(named, self.asked.clone()),
             words,
-            sources: phrases(&self.sources),
+            sources: sources.collect(),
             texts,
             feedback: self.feedback.clone(),
         }

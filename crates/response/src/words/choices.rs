@@ -13,19 +13,20 @@ pub(crate) const ANNOUNCEMENTS: &[&str] = &[
     "only",
 ];
 
-/// Words that say nothing within an option.
-pub(crate) const ARTICLES: &[&str] = &["the", "a", "an"];
+/// What joins statements.
+pub(crate) const JOINTS: &[&str] = &[" and ", " & ", " but ", " + ", " while ", " whereas "];
 
 /// Words that begin a reason or a correction.
 pub(crate) const CLAUSES: &[&str] = &[
     " so ",
     " because ",
     " since ",
-    " but ",
     " hence ",
     " therefore ",
     " thus ",
     " i.e. ",
+    "->",
+    "=>",
 ];
 
 /// Words that leave open what is said beside them.
@@ -34,7 +35,7 @@ pub(crate) const DOUBTS: &[&str] = &[
     "neither", "rather", "instead",
 ];
 
-/// Words that deny what an option says, or say more.
+/// Words that deny what is said beside them, or say more.
 pub(crate) const DENIALS: &[&str] = &[
     "not", "no", "never", "without", "neither", "nor", "and", "or",
 ];
@@ -52,44 +53,70 @@ pub(crate) const THINGS: &[&str] = &[
     "damping",
     "displacement",
     "coupling",
-    "behind",
+    "force",
     "case",
     "it",
     "this",
     "they",
 ];
 
-/// Words that mean the same in this field, each in any of its endings.
+/// Words that say which way something goes: what stands beside them belongs to them.
+pub(crate) const TURNS: &[&str] = &["raise", "lower"];
+
+/// Stems of words that mean the same in this field.
 pub(crate) const SYNONYMS: &[&[&str]] = &[
-    &["aperiodic", "overdamped", "overcritical", "supercritical"],
+    &["aperiodic", "overdamp", "overcritic", "supercritic"],
     &[
         "pseudoperiodic",
-        "underdamped",
+        "underdamp",
         "oscillatory",
-        "undercritical",
-        "subcritical",
+        "undercritic",
+        "subcritic",
     ],
-    &["inphase", "symmetric", "symmetrical"],
+    &["inphas", "symmetric"],
     &[
-        "opposed",
+        "oppos",
         "opposition",
-        "antiphase",
-        "outofphase",
+        "antiphas",
+        "outofphas",
         "antisymmetric",
-        "antisymmetrical",
     ],
-    &["static", "elastic", "stiffness"],
-    &["dynamic", "inertial", "inertia"],
-    &["every", "always", "all", "each", "any"],
-    &["zero", "0", "vanish", "die", "dies", "null"],
+    &["static", "elastic", "stiffness", "spr", "spring"],
+    &["dynamic", "inerti"],
+    &["damp", "damper", "dashpot"],
+    &["every", "everywher", "alway", "all", "each", "any"],
+    &["zero", "0", "vanish", "disappear", "die", "dy", "null"],
     &[
-        "not", "no", "never", "without", "neither", "nor", "isn't", "doesn't", "cannot",
+        "not", "no", "never", "without", "neither", "nor", "isnt", "doesnt", "cannot", "nein",
+        "non",
     ],
-    &["further", "more"],
+    &["yes", "oui", "ja", "sí"],
+    &["stabl", "stabil", "establ"],
+    &["unstabl", "instabl", "instabil", "inestabl"],
     &[
-        "halfcycle",
+        "rais", "mor", "further", "increas", "bigger", "larger", "higher", "greater", "stronger",
+        "up",
+    ],
+    &[
+        "lower", "decreas", "reduc", "less", "smaller", "weaker", "down",
+    ],
+    &["abov", ">"],
+    &["below", "<"],
+    &["lag", "trail", "behind"],
+    &["lead", "ahead"],
+    &["same", "constant", "unchang"],
+    &["stay", "remain", "keep"],
+    &["own", "uniqu"],
+    &["theta", "angl"],
+    &["quality", "q"],
+    &["electromotiv", "emf"],
+    &["resistanc", "resistor"],
+    &["capacitanc", "capacitor"],
+    &["inductanc", "inductor", "coil"],
+    &[
+        "halfcycl",
         "halfoscillation",
-        "halfswing",
+        "halfsw",
         "halbschwingung",
         "halbschwingungen",
     ],
@@ -97,7 +124,7 @@ pub(crate) const SYNONYMS: &[&[&str]] = &[
         "pseudoperiod",
         "quasiperiod",
         "period",
-        "cycle",
+        "cycl",
         "oscillation",
     ],
 ];
@@ -107,7 +134,12 @@ pub(crate) const RUNS_OF_WORDS: &[(&str, &str)] = &[
     ("out of phase", "outofphase"),
     ("out-of-phase", "outofphase"),
     ("in phase", "inphase"),
-    ("d.o.f.", "dof"),
+    ("d.o.f", "dof"),
+    ("damping ratio", "damping"),
+    ("damping coefficient", "damping"),
+    ("rate of change", "rate"),
+    ("uncoupled", "not coupled"),
+    ("not stable", "unstable"),
 ];
 
 /// Words that belong to the next one, with or without a dash.
@@ -178,7 +210,12 @@ pub(crate) const FILLERS: &[&str] = &[
     "decay",
     "approaches",
     "per",
+    "must",
+    "go",
+    "during",
+    "across",
 ];
 
 /// Words that stress what is said, where no option tells itself from others by them.
-pub(crate) const STRESSES: &str = "only just simply purely yes clearly indeed definitely and";
+pub(crate) const STRESSES: &str =
+    "only just exactly simply purely yes clearly indeed definitely both and all well first last";

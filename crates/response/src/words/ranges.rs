@@ -30,6 +30,9 @@ pub(crate) const CONDITIONS: &[&str] = &[
     "provided that",
     "provided",
     "as long as",
+    "everywhere with",
+    "everywhere where",
+    "wherever",
     "falls",
 ];
 
