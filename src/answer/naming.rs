@@ -353,20 +353,24 @@ impl Steps {
     /// `1/T = 2 Hz`. With one letter it may name another quantity, `ω² = 19/s²`, unless it has the dimension of what is
     /// asked.
     fn are_of_question_in(&self, side: Passage<'_>) -> bool {
-        let typed = side.formula(&self.letters, self.manner);
-        typed.is_ok_and(|typed| {
-            let formula = typed.value;
-            let names = formula.names();
-            let is_step = match names.free.len() {
-                0 => false,
-                1 => self.is_derived(&formula),
-                _ => true,
-            };
-            self.is_one
-                && !self.asked.is_empty()
-                && is_step
-                && !self.asked.iter().any(|own| names.uses(own))
-        })
+        self.step(side)
+            .is_some_and(|step| step.names().free.len() > 1 || self.is_derived(&step))
+    }
+
+    /// Whether a side is a formula in letters of the question that has the dimension of what is asked.
+    pub(crate) fn are_derived_in(&self, side: Passage<'_>) -> bool {
+        self.step(side).is_some_and(|step| self.is_derived(&step))
+    }
+
+    /// The formula in letters of the question that a side is, if none of them is what is asked.
+    fn step(&self, side: Passage<'_>) -> Option<expr::Expr> {
+        let formula = side.formula(&self.letters, self.manner).ok()?.value;
+        let names = formula.names();
+        let is_step = self.is_one
+            && !self.asked.is_empty()
+            && !names.free.is_empty()
+            && !self.asked.iter().any(|own| names.uses(own));
+        is_step.then_some(formula)
     }
 
     /// Whether a side is nothing where what is asked is nothing, and only there: `ω²`.
@@ -504,11 +508,11 @@ fn is_same(one: &Known, other: &Known) -> bool {
 fn is_other(own: &Known, asked: &[&Known], dimension: Option<Dimension>, kind: AnswerKind) -> bool {
     let (letter, index) = parted(own.name.as_str());
     let mut names = asked.iter().map(|asked| parted(asked.name.as_str()));
-    // `E_1 = 5 J` is said of E_1(0), and x_st of x_st,0.
+    // `E_1 = 5 J` is said of E_1(0).
     let is_of_it = |asked: &&Known| {
-        let symbol = asked.symbol.plain().replacen("_(", "_", 1);
-        let rest = symbol.strip_prefix(&own.symbol.plain());
-        rest.is_some_and(|rest| rest.starts_with(['(', ',']))
+        let symbol = asked.symbol.plain();
+        let argument = symbol.strip_prefix(&own.symbol.plain());
+        argument.is_some_and(|argument| argument.starts_with('('))
     };
     if matches!(own.role, Role::Quantity { .. }) && asked.iter().any(|asked| is_of_it(asked)) {
         return false;

@@ -213,7 +213,8 @@ impl Forms<'_> {
         };
         let is_number = |side: &FormedSide<'_>| {
             let is_misfit = side.own.reasons().contains(&Reason::Dimension);
-            side.own.reading.is_some()
+            // Arithmetic without a unit may be in SI units.
+            (side.own.reading.is_some() || is_doubtful(&side.own))
                 && !(is_misfit && (letters(side).is_some() || side.typed.is_of_free_letters()))
         };
         let value = marked.iter().rfind(|side| is_number(side))?;

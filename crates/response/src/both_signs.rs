@@ -11,7 +11,7 @@ const SIGNS: [(&str, [&str; 2]); 2] = [("±", ["+ ", "- "]), ("∓", ["-  ", "+ 
 /// A value without the small uncertainty after it: `12.94 ± 0.02 N` is `12.94 N`.
 pub(crate) fn without_spread(text: &str) -> Option<String> {
     // A wider one is no uncertainty of a calculation, and leaves the value open.
-    const WIDEST: f64 = 0.02;
+    const WIDEST: f64 = 0.01;
     let (before, behind) = text.split_once('±')?;
     let is_of_number = |char: char| char.is_ascii_digit() || ".,".contains(char);
     let (before, behind) = (before.trim_end(), behind.trim_start());

@@ -188,6 +188,12 @@ impl Setting<'_> {
         self.steps.is_some_and(|(_, steps)| steps.are_in(side))
     }
 
+    /// Whether a side is a formula in letters of the question that has the dimension of what is asked.
+    fn is_derived(&self, side: Passage<'_>) -> bool {
+        self.steps
+            .is_some_and(|(_, steps)| steps.are_derived_in(side))
+    }
+
     /// Whether a side is a power of what is asked.
     fn vanishes(&self, side: Passage<'_>) -> bool {
         self.steps.is_some_and(|(_, steps)| steps.vanishes(side))
@@ -390,7 +396,7 @@ pub(crate) fn statement(
             }
             Some(other)
                 if setting.is_in_letters(values.passage(side), &other)
-                    && (is_step || in_letters()) => {}
+                    && (is_step || at < value && setting.is_derived(values.passage(side))) => {}
             Some(_) => {
                 let (one, other) = (values.passage(side), values.passage(&sides[value]));
                 return Err(Why::UnequalSides(one.short(), other.short()).into());

@@ -42,7 +42,7 @@ fn both_forms_are_read() {
             ("5∠-0.9273", "right"),
             ("3 (2) - 4i", "unreadable"),
             ("3 - 4i V", "wrong dimension"),
-            ("three", "unreadable"),
+            ("some", "unreadable"),
             ("3 - 4k ohm", "unreadable"),
         ],
     );

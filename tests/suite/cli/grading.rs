@@ -115,7 +115,7 @@ fn a_filled_form_is_marked_row_by_row_and_nothing_is_lost() {
     exam.answer(1, "1b", format!("{:.3} Hz", 1.5 * one / TAU));
     exam.answer(2, "1b", format!("{two:.3} Hz"));
     exam.answer(3, "1b", "3.2 kg");
-    exam.answer(4, "1b", "about three");
+    exam.answer(4, "1b", "about as much");
     exam.answer(
         5,
         "1b",
@@ -189,7 +189,7 @@ fn a_filled_form_is_marked_row_by_row_and_nothing_is_lost() {
         .complains("question `two` is not a number")
         .complains("no part 1a of a sheet AAA-AAA-AAA")
         .complains("no part 9z of a sheet")
-        .complains("about three")
+        .complains("about as much")
         .says("30 sheets");
     sums_agree(&exam, &details);
 }
@@ -254,7 +254,7 @@ fn marks_go_to_the_gradebook_of_a_platform_and_what_is_undecided_is_no_mark() {
     let mut exam = Exam::new("gradebook", "seed = 7\nstudents = \"class.csv\"");
     let omega = exam.omega(0);
     exam.answer(0, "1a", format!("{omega:.4} rad/s"));
-    exam.answer(1, "1a", "about three");
+    exam.answer(1, "1a", "about as much");
     let book = |exam: &Exam, options: &[&str]| {
         let (ran, results) = exam.grade_with("", options);
         let points = results
@@ -400,14 +400,14 @@ fn files_that_are_no_form_or_manifest_are_refused() {
 fn what_could_not_be_read_comes_first_and_is_settled_by_the_overrides() {
     let mut exam = Exam::new("overrides", "seed = 7\nvariants = 3");
     for variant in 0..3 {
-        exam.answer(variant, "1a", "about twenty, I think");
+        exam.answer(variant, "1a", "rather fast, I think");
     }
     exam.answer(0, "2a", "nonsense");
     let (ran, _) = exam.grade("");
     ran.ends(0)
         .says("4 unreadable")
         .says("unreadable.csv")
-        .complains("3 times 1a: `about twenty, I think`");
+        .complains("3 times 1a: `rather fast, I think`");
     let report: Json =
         serde_json::from_str(&content(exam.folder.join("marks/report.json"))).expect("JSON");
     // Like answers are one entry.
@@ -499,7 +499,7 @@ fn undecided_is_not_wrong() {
             format!("{:.4} Hz", exam.omega(variant) / TAU),
         );
     }
-    exam.answer(0, "1a", "about twenty, I think");
+    exam.answer(0, "1a", "rather fast, I think");
     let silent = ["?", "-", "n/a", "Je ne sais pas."];
     for (variant, words) in silent.into_iter().enumerate() {
         exam.answer(variant, "2a", words);

@@ -230,7 +230,7 @@ fn a_scale_makes_grades_and_what_is_open_leaves_them_open() {
     let run = Run::new("marks-scale", top, ONE);
     let rows = [
         "12.57 rad/s,37.7 m/s,b",
-        "12.57 rad/s,about forty,b",
+        "12.57 rad/s,about as much,b",
         "12.57 rad/s,1 m/s,a",
         ",37.7 m/s,",
     ];
