@@ -19,7 +19,8 @@ pub(crate) fn without_spread(text: &str) -> Option<String> {
     let rest = behind.trim_start_matches(is_of_number);
     let spread = &behind[..behind.len() - rest.len()];
     let size = |number: &str| number.replace(',', ".").parse::<f64>().ok();
-    let is_small = size(spread)? <= WIDEST * size(value)?;
+    let (spread, value) = (size(spread)?, size(value)?);
+    let is_small = 0.0 < spread && spread <= WIDEST * value;
     (is_small && !rest.contains('±')).then(|| format!("{before}{rest}"))
 }
 

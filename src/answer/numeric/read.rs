@@ -303,16 +303,19 @@ fn said_once(
     let mut most = first.clone();
     for other in others {
         let mut other = other.clone();
-        if other.quantity.unit.is_one() {
+        if other.quantity.unit.is_one() && !unit.dimension().is_pure() {
             other = other.with_unit(unit);
         }
-        if !is_same_but_for_rounding(first, &other) {
+        let figures = |number: &TypedNumber| number.quantity.value.significant_figures();
+        let is_same_unit = other.quantity.unit == unit;
+        let is_longer = other.arithmetic.is_none() && figures(&other) > figures(&most);
+        // `0.333 (1/3)`
+        let is_exact = other.arithmetic.is_some();
+        let is_restated = !is_same_unit || first.arithmetic.is_none() && (is_exact || is_longer);
+        if !is_restated || !is_same_but_for_rounding(first, &other) {
             return None;
         }
-        let figures = |number: &TypedNumber| number.quantity.value.significant_figures();
-        let is_longer = other.quantity.unit == unit && figures(&other) > figures(&most);
-        let are_decimals = first.arithmetic.is_none() && other.arithmetic.is_none();
-        if is_longer && are_decimals {
+        if is_same_unit && is_longer {
             most = other;
         }
     }

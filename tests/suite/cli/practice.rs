@@ -13,7 +13,7 @@ fn practice(arguments: &[&str], answers: &str) -> super::Ran {
 fn answers_from_a_pipe_are_marked_with_hints_and_solutions() {
     let ran = practice(
         &["free/spring-mass", "--seed", "3"],
-        "?\n?\ntwenty\n1e9 rad/s\n!\n>\n",
+        "?\n?\nquite fast\n1e9 rad/s\n!\n>\n",
     );
     ran.ends(0)
         .says("Natural frequency of a block on a spring")

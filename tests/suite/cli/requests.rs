@@ -134,7 +134,7 @@ fn responses_are_marked_with_verdict_reading_and_reason() {
             mark("omega_n", "0.05 s"),
             mark("omega_n", "-20 rad/s"),
             mark("omega_n", "20 kg"),
-            mark("omega_n", "twenty"),
+            mark("omega_n", "quite fast"),
             mark("omega_n", "   "),
             mark("nothing", "1"),
             json!({"id": "free/damped-block", "part": "regime", "response": "under", "tag": "x"}),
