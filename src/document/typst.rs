@@ -211,25 +211,39 @@ fn is_announcement(content: &[Inline]) -> bool {
 }
 
 /// Appends the call that sets a figure with its words, which are those of its `title` and `desc`.
+///
+/// The drawing goes without them and without its identity, which is that of a sheet: one that looks alike on all sheets
+/// is read once by the press.
 pub(crate) fn write_picture(out: &mut String, svg: &str) {
+    let mut drawing = svg.to_owned();
     let words: Vec<String> = ["title", "desc"]
         .iter()
-        .filter_map(|name| element(svg, name))
-        .map(unescaped)
+        .filter_map(|name| take_element(&mut drawing, name))
+        .map(|words| unescaped(&words))
         .collect();
+    take_between(&mut drawing, " aria-labelledby=\"", "\"");
     out.push_str("picture(");
     quote(out, &words.join(". "));
     out.push(',');
-    quote(out, svg);
+    quote(out, &drawing);
     out.push(')');
 }
 
-/// What stands in the first element of this name.
-fn element<'a>(svg: &'a str, name: &str) -> Option<&'a str> {
-    let (_, rest) = svg.split_once(&format!("<{name}"))?;
-    let (_, rest) = rest.split_once('>')?;
-    let (words, _) = rest.split_once(&format!("</{name}>"))?;
-    Some(words)
+/// Takes the first element of this name out; what stood in it.
+fn take_element(svg: &mut String, name: &str) -> Option<String> {
+    let element = take_between(svg, &format!("<{name}"), &format!("</{name}>"))?;
+    let (_, words) = element.split_once('>')?;
+    Some(words.to_owned())
+}
+
+/// Takes out the first place that begins and ends so; what stood between.
+fn take_between(text: &mut String, begin: &str, end: &str) -> Option<String> {
+    let from = text.find(begin)?;
+    let inner = from + begin.len();
+    let length = text[inner..].find(end)?;
+    let between = text[inner..inner + length].to_owned();
+    text.replace_range(from..inner + length + end.len(), "");
+    Some(between)
 }
 
 /// The characters that our writers of markup escape.

@@ -11,9 +11,9 @@ use super::{Accent, Class, Display, Empty, Holes, Math, Size, Style, TableKind, 
 
 /// What a Typst file defines before the formulas that are written here: `m`, `sm`, `dm` and `lm` set a
 /// formula in a line, one so short that no line ends in it, one on its own, and one on its own that is
-/// made smaller where its place is too narrow, each with its words for who cannot see it; `fit` makes
-/// anything smaller; the others are the classes of signs, which TeX and Typst do not give to the same
-/// signs.
+/// made smaller where its place is too narrow, each with its words for who cannot see it; `tm` sets one
+/// that is long but narrow, with the distances of `lm`; `fit` makes anything smaller; the others are the
+/// classes of signs, which TeX and Typst do not give to the same signs.
 pub const PRELUDE: &str = r#"#let fit(body) = layout(room => {
   let wide = measure(body).width
   if wide > room.width { scale(room.width / wide * 100%, reflow: true, box(width: wide, body)) } else { body }
@@ -22,6 +22,7 @@ pub const PRELUDE: &str = r#"#let fit(body) = layout(room => {
 #let sm(words, formula) = box(m(words, formula))
 #let dm(words, formula) = math.equation(block: true, alt: words, formula.body)
 #let lm(words, formula) = fit(dm(words, formula))
+#let tm(words, formula) = block(width: 100%, dm(words, formula))
 #let bin = math.class.with("binary")
 #let rel = math.class.with("relation")
 #let ord = math.class.with("normal")
@@ -37,7 +38,8 @@ pub const PRELUDE: &str = r#"#let fit(body) = layout(room => {
 /// Bytes of a formula in which no line ends, about those of `x₀ = −0.17 m`.
 const SHORT: usize = 80;
 
-/// Bytes of a formula that may be wider than a page; to measure one takes as long as to set it.
+/// Bytes of a formula, those of cells side by side alone, that may be wider than a page; to measure one takes as long as
+/// to set it.
 const LONG: usize = 200;
 
 /// Appends Typst markup that sets the formula.
@@ -49,15 +51,18 @@ pub(crate) fn write(
     voice: &'static Voice,
 ) {
     let mut body = String::new();
-    TypstWriter {
+    let mut writer = TypstWriter {
         out: &mut body,
         holes,
-    }
-    .math(math);
+        below: 0,
+    };
+    writer.math(math);
+    let below = writer.below;
     out.push_str(match display {
         Display::Inline if body.len() <= SHORT => "#sm(",
         Display::Inline => "#m(",
         Display::Block if body.len() <= LONG => "#dm(",
+        Display::Block if body.len() - below <= LONG => "#tm(",
         Display::Block => "#lm(",
     });
     let mut words = String::new();
@@ -88,6 +93,8 @@ pub fn quote(out: &mut String, text: &str) {
 struct TypstWriter<'a> {
     out: &'a mut String,
     holes: &'a dyn Holes,
+    /// Bytes of what stands above or below wider cells of a table, and so adds nothing to the width of the formula.
+    below: usize,
 }
 
 impl TypstWriter<'_> {
@@ -354,20 +361,25 @@ impl TypstWriter<'_> {
             TableKind::Aligned => ("lines", "display"),
         };
         let columns = rows.iter().map(Vec::len).max().unwrap_or(0);
+        let mut widest = vec![0; columns];
+        let (start, below) = (self.out.len(), self.below);
         self.open(function);
         for (number, row) in rows.iter().enumerate() {
             if number > 0 {
                 self.out.push(';');
             }
-            for column in 0..columns {
+            for (column, widest) in widest.iter_mut().enumerate() {
                 if column > 0 {
                     self.out.push(',');
                 }
+                let (start, below) = (self.out.len(), self.below);
                 self.cell(row.get(column), column, kind, size);
+                *widest = (self.out.len() - start - (self.below - below)).max(*widest);
             }
         }
         // A table of one row stays a table.
         self.out.push_str(";)");
+        self.below = below + (self.out.len() - start - widest.iter().sum::<usize>());
     }
 
     fn cell(&mut self, cell: Option<&Math>, column: usize, kind: TableKind, size: &str) {
@@ -432,6 +444,23 @@ mod tests {
         );
         check(Math::letter('x').derivative(2), "dot.double(x)");
         check(Math::number("2.5"), "\"2.5\"");
+    }
+
+    #[test]
+    fn lines_one_above_the_other_do_not_make_a_formula_wide() {
+        let cell = |length: usize| Math::text("a".repeat(length));
+        let begins = |rows: Vec<Vec<Math>>, begin: &str| {
+            let table = Math::Table {
+                rows,
+                kind: TableKind::Aligned,
+            };
+            let written = table.typst(Display::Block, Voice::ENGLISH);
+            assert!(written.starts_with(begin), "{written}");
+        };
+        begins(vec![vec![cell(LONG / 2)]], "#dm(");
+        begins(vec![vec![cell(LONG / 2)], vec![cell(LONG / 2)]], "#tm(");
+        begins(vec![vec![cell(LONG / 2), cell(LONG / 2)]], "#lm(");
+        begins(vec![vec![cell(LONG)], vec![cell(1)]], "#lm(");
     }
 
     #[test]

@@ -5,6 +5,10 @@ use std::process::ExitCode;
 
 use vibank_press::{Job, Reply, greeting, print};
 
+/// What is laid out is many small pieces.
+#[global_allocator]
+static ALLOCATOR: mimalloc::MiMalloc = mimalloc::MiMalloc;
+
 const HELP: &str = "\
 Prints the pages of vibank as PDF. `vibank sheet` starts it where it is needed: keep it beside the program `vibank`, on
 the PATH, or name it in VIBANK_PRESS.

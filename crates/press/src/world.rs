@@ -3,7 +3,6 @@
 //! All contact with Typst is in this file. A text can read no file, fetch nothing and not tell the
 //! time, so the same text gives the same bytes.
 
-use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Arc, Mutex, PoisonError};
 
 use typst::diag::{FileError, FileResult, SourceDiagnostic};
@@ -43,18 +42,15 @@ fn pdf(
     let desk = Desk::with(&shelf, text);
     let document = typst::compile::<PagedDocument>(&desk).output;
     let bytes = document.and_then(|document| typst_pdf::pdf(&document, &options));
-    forget_now_and_then();
+    forget_the_unused();
     bytes.map_err(|errors| desk.explain(&errors))
 }
 
-/// Clears what Typst keeps for later texts, which grows without end and gains nothing. Not after each text: other threads,
-/// in the middle of theirs, would lose it too.
-fn forget_now_and_then() {
-    const TEXTS: usize = 8;
-    static DONE: AtomicUsize = AtomicUsize::new(0);
-    if DONE.fetch_add(1, Ordering::Relaxed) % TEXTS == TEXTS - 1 {
-        comemo::evict(0);
-    }
+/// Drops what Typst keeps and none of the last texts has used, which would grow without end.
+fn forget_the_unused() {
+    /// A sheet, its key and its solutions have figures and words in common, with each other and with those of the next.
+    const TEXTS: usize = 3;
+    comemo::evict(TEXTS);
 }
 
 /// What does not change from text to text.
