@@ -357,7 +357,11 @@ pub(crate) fn in_front(text: &str) -> (&str, &str) {
 /// The size of a word for a number, where no other word is meant by it.
 fn size(word: &str) -> Option<i128> {
     let is_other = |own: &str| {
-        own.starts_with('I') || matches!(own, "no" | "none" | "null" | "double" | "single" | "triple" | "twofold")
+        own.starts_with('I')
+            || matches!(
+                own,
+                "no" | "none" | "null" | "double" | "single" | "triple" | "twofold"
+            )
     };
     let found = COUNTS
         .iter()
