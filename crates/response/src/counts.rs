@@ -252,7 +252,7 @@ fn bare_count(said: &str, known: &Wording) -> Option<String> {
     number(only).filter(|_| is_said)
 }
 
-/// The words of a text, figures apart from the noun behind them, `1DOF`, and two words of one number in digits.
+/// The words of a text, figures apart from the noun behind them, `1DOF`; those of one number are one, `twenty four`.
 fn words(said: &str) -> Vec<String> {
     let mut words: Vec<String> = Vec::new();
     for word in said.split_whitespace() {
@@ -261,25 +261,15 @@ fn words(said: &str) -> Vec<String> {
         let is_noun = noun.chars().all(char::is_alphabetic) && noun.chars().nth(2).is_some();
         let (figures, noun) = word.split_at(if is_noun { word.len() - noun.len() } else { 0 });
         for word in [figures, noun].into_iter().filter(|word| !word.is_empty()) {
-            let number = words.last().and_then(|last| compound(last, word));
-            match (number, words.last_mut()) {
-                (Some(number), Some(last)) => *last = number,
+            match words.last_mut() {
+                Some(last) if spelled(&format!("{last} {word}")).is_some() => {
+                    *last = format!("{last} {word}");
+                }
                 _ => words.push(word.to_owned()),
             }
         }
     }
     words
-}
-
-/// The number that two words are, `twenty four`.
-fn compound(tens: &str, units: &str) -> Option<String> {
-    let value = |word: &str| {
-        let word = Some(word).filter(|word| word.starts_with(char::is_alphabetic));
-        number(word?)?.parse::<u8>().ok()
-    };
-    let (tens, units) = (value(tens)?, value(units)?);
-    let is_compound = (20..100).contains(&tens) && tens % 10 == 0 && (1..10).contains(&units);
-    is_compound.then(|| (tens + units).to_string())
 }
 
 /// Whether the stem of a word says how many.
@@ -299,9 +289,6 @@ fn number(word: &str) -> Option<String> {
             .unwrap_or(word);
         return bare.bytes().all(is_figure).then(|| bare.to_owned());
     }
-    if let Some((tens, units)) = word.split_once('-') {
-        return compound(tens, units);
-    }
     let is_roman = |own: &str| own.starts_with('I');
     let is_it = |own: &str| {
         if is_roman(own) {
@@ -310,8 +297,14 @@ fn number(word: &str) -> Option<String> {
             word.eq_ignore_ascii_case(own)
         }
     };
-    let (_, number) = COUNTS.iter().find(|(own, _)| is_it(own))?;
-    Some(number.to_string())
+    let found = COUNTS.iter().find(|(own, _)| is_it(own));
+    let found = found.map(|(_, number)| i128::from(*number));
+    Some(found.or_else(|| spelled(word))?.to_string())
+}
+
+/// The integer that words are, between spaces or dashes.
+fn spelled(words: &str) -> Option<i128> {
+    cardinal(&words.split([' ', '-']).collect::<Vec<_>>())
 }
 
 /// The number that words are, and whether it is in percent: `zero`, `one third`, `half`, `fifty %`.
@@ -429,6 +422,7 @@ mod tests {
             ("12 (3 per point)", Some("12")),
             ("2, x1 and x2, θ follows", Some("2")),
             ("the 4th", None),
+            ("one hundred twenty half-cycles", Some("120")),
             ("20 4", None),
             ("3 → 4", None),
             ("3.17 = 5", None),
