@@ -514,7 +514,7 @@ fn is_other(own: &Known, asked: &[&Known], dimension: Option<Dimension>, kind: A
         let argument = symbol.strip_prefix(&own.symbol.plain());
         argument.is_some_and(|argument| argument.starts_with('('))
     };
-    if matches!(own.role, Role::Quantity { .. }) && asked.iter().any(|asked| is_of_it(asked)) {
+    if matches!(own.role, Role::Quantity { .. }) && asked.iter().any(is_of_it) {
         return false;
     }
     if let Some((_, of_asked)) = names.find(|asked| asked.0 == letter) {

@@ -403,11 +403,8 @@ impl Folder<'_> {
         if self.row_ends.contains(&self.at) {
             return self.write(";", 1);
         }
-        if char == ' ' && self.is_before_power_of_ten() || char == '.' && self.is_french_times() {
-            return self.write("*", width);
-        }
-        if char == ' ' && self.is_before_spaced_power() {
-            return self.write("e", " E ".len());
+        if let Some((plain, length)) = self.power_of_ten(char) {
+            return self.write(plain, length);
         }
         if self.is_rule() {
             return self.write("=", if char == '-' { 2 } else { width });
@@ -426,11 +423,8 @@ impl Folder<'_> {
         if char == '~' && self.is_nearly() {
             return self.write("≈", 1);
         }
-        if self.apart_dots(char) {
+        if self.apart_dots(char) || self.spoken() {
             return;
-        }
-        if let Some((length, plain)) = self.spoken_rate().or_else(|| self.spoken_function()) {
-            return self.write(plain, length);
         }
         if let Some((length, plain)) = self.raised() {
             return self.write(&plain, length);
@@ -554,6 +548,16 @@ impl Folder<'_> {
         is_power
             && before.ends_with(|last: char| last.is_ascii_digit())
             && !before.contains(['[', '&', '^'])
+    }
+
+    /// What stands between a number and its power of ten, and how long that is.
+    fn power_of_ten(&self, char: char) -> Option<(&'static str, usize)> {
+        match char {
+            ' ' if self.is_before_power_of_ten() => Some(("*", 1)),
+            ' ' if self.is_before_spaced_power() => Some(("e", " E ".len())),
+            '.' if self.is_french_times() => Some(("*", 1)),
+            _ => None,
+        }
     }
 
     /// `1.4 E -2`, as some calculators show it.

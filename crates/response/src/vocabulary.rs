@@ -6,7 +6,7 @@ use super::letters::{Letters, combining, dotted, greek_word};
 use super::lexicon::LexiconEntry;
 use super::near::typable;
 use super::words::VELOCITIES;
-use vibank_formula::expr::{Constant, Expr, Function, Kind, Name, Operator};
+use vibank_formula::expr::{Constant, Expr, Function, Kind, Name};
 use vibank_notation::{Math, symbol};
 
 /// The words that a response may use.
@@ -215,9 +215,8 @@ fn decay_rate(entries: &[LexiconEntry]) -> Option<Expr> {
         LexiconEntry::Forbidden(_) => None,
     })?;
     let frequency = natural_frequency(entries)?;
-    let [ratio, frequency] = [ratio, frequency].map(|name| Expr::name(name.clone()).into());
-    let product = Kind::Binary(Operator::Multiply, ratio, frequency);
-    Some(Expr::derived(product))
+    let [ratio, frequency] = [ratio, frequency].map(|name| Expr::name(name.clone()));
+    Some(ratio * frequency)
 }
 
 impl Words {

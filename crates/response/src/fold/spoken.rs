@@ -6,8 +6,17 @@ use crate::surroundings::behind_words;
 use crate::words::{FUNCTIONS, RATES_IN_WORDS, SPOKEN_ROOTS};
 
 impl Folder<'_> {
+    /// Writes the sign for words of an operation; whether some stand here.
+    pub(crate) fn spoken(&mut self) -> bool {
+        let found = self.spoken_rate().or_else(|| self.spoken_function());
+        if let Some((length, plain)) = found {
+            self.write(plain, length);
+        }
+        found.is_some()
+    }
+
     /// A space and the word for the rate of the letter before it, ` double dot`.
-    pub(crate) fn spoken_rate(&self) -> Option<(usize, &'static str)> {
+    fn spoken_rate(&self) -> Option<(usize, &'static str)> {
         let words = self.rest().strip_prefix(' ')?;
         let before = &self.typed[self.answer.start..self.at];
         let is_behind_name =
@@ -26,7 +35,7 @@ impl Folder<'_> {
     }
 
     /// The words for a root or a function here; a root of words without brackets gets them.
-    pub(crate) fn spoken_function(&mut self) -> Option<(usize, &'static str)> {
+    fn spoken_function(&mut self) -> Option<(usize, &'static str)> {
         let before = &self.typed[self.answer.start..self.at];
         let is_apart = before.is_empty() || before.ends_with([' ', '(', '=', '*', '/']);
         let rest = &self.typed[self.at..self.answer.end];
