@@ -73,6 +73,9 @@ fn mark_typed(solution: &Solution<'_>, place: usize, response: &TypedResponse<'_
     silence::heard(typed, marking)
 }
 
+/// A longer answer is no answer with something said beside it, and takes its time for each way to read it.
+const MAX_SAID: usize = 400;
+
 /// The marking of a response; where it cannot be read with what is said beside it, `… by Newton's law`, or in words,
 /// `half of k`, and is right without them, that of the answer alone.
 fn without_aside(
@@ -85,7 +88,11 @@ fn without_aside(
         kind,
         AnswerKind::Choice | AnswerKind::Integer | AnswerKind::Interval | AnswerKind::Work
     );
-    if is_of_words || first.verdict != Verdict::Unreadable || is_doubtful(&first) {
+    if is_of_words
+        || !response.is_shorter_than(MAX_SAID)
+        || first.verdict != Verdict::Unreadable
+        || is_doubtful(&first)
+    {
         return first;
     }
     let is_right = |marking: &Marking| marking.verdict == Verdict::Right;

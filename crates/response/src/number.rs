@@ -152,8 +152,8 @@ impl Lexer<'_> {
         let mut places = text.char_indices().map(|(at, _)| at).skip(1);
         places.find(|at| {
             let rest = &text[*at..];
-            let end = rest.find(|char| !is_of_word(char)).unwrap_or(rest.len());
-            begins(*at) && self.lexicon.reads(&rest[..end]).is_some()
+            let end = || rest.find(|char| !is_of_word(char)).unwrap_or(rest.len());
+            begins(*at) && self.lexicon.reads(&rest[..end()]).is_some()
         })
     }
 
@@ -375,13 +375,12 @@ impl Lexer<'_> {
 
     /// Why a run of letters after a number is not a unit.
     fn no_unit(&mut self, start: usize) -> Option<TypedError> {
-        let is_due = self.manner.values.is_some() && self.is_behind_value();
-        let (after, at) = (self.at, start);
-        self.at = at;
+        if self.manner.values.is_none() || !self.is_behind_value() {
+            return None;
+        }
+        let after = std::mem::replace(&mut self.at, start);
         let error = Unit::read_front(self.unit_text()).err();
         self.at = after;
-        error
-            .filter(|_| is_due)
-            .map(|error| self.unreadable(&error, start))
+        error.map(|error| self.unreadable(&error, start))
     }
 }

@@ -517,13 +517,16 @@ impl Words {
         &self.allowed
     }
 
+    /// The first word of this spelling.
+    fn word(&self, spelling: &str) -> Option<&Word> {
+        let places = self.by_letter.get(spelling.as_bytes().first()?)?;
+        let mut words = places.iter().map(|place| &self.words[*place]);
+        words.find(|word| word.spelling == spelling && word.primes == 0)
+    }
+
     /// The name of this spelling.
     pub(crate) fn name(&self, spelling: &str) -> Option<&Name> {
-        let word = self
-            .words
-            .iter()
-            .find(|word| word.spelling == spelling && word.primes == 0)?;
-        match &word.sense {
+        match &self.word(spelling)?.sense {
             WordSense::Leaf(leaf) => match leaf.kind() {
                 Kind::Name(name) => Some(name),
                 _ => None,
@@ -636,22 +639,16 @@ impl Words {
     }
 
     pub(crate) fn knows(&self, spelling: &str) -> bool {
-        self.words
-            .iter()
-            .any(|word| word.spelling == spelling && word.primes == 0)
+        self.word(spelling).is_some()
     }
 
     /// Whether a spelling is that of a name or function; the item may have `e` and `i` for its own.
     fn is_taken(&self, spelling: &str) -> bool {
-        let own = |word: &&Word| word.spelling == spelling && word.primes == 0;
-        self.words
-            .iter()
-            .find(own)
-            .is_some_and(|word| match &word.sense {
-                WordSense::Leaf(leaf) => *leaf.kind() != Kind::Constant(Constant::E),
-                WordSense::Imaginary | WordSense::NotAllowed => false,
-                _ => true,
-            })
+        self.word(spelling).is_some_and(|word| match &word.sense {
+            WordSense::Leaf(leaf) => *leaf.kind() != Kind::Constant(Constant::E),
+            WordSense::Imaginary | WordSense::NotAllowed => false,
+            _ => true,
+        })
     }
 
     fn add(&mut self, spelling: &str, sense: WordSense, primes: u8) {

@@ -9,7 +9,7 @@ use crate::expr::{Expr, Function, Kind};
 use crate::math::Math;
 use crate::numerics::Rational;
 use crate::response::{
-    FunctionPiece, Lexicon, Manner, Measured, Passage, Reworded, Stated, Trouble, Typed,
+    Folded, FunctionPiece, Lexicon, Manner, Measured, Passage, Reworded, Stated, Trouble, Typed,
     TypedError, ValueTrouble,
 };
 use crate::unit::{DecimalMark, Unit};
@@ -179,7 +179,13 @@ fn function(key: &Prepared<'_>, typed: Passage<'_>) -> Result<Response, Unreadab
             let all = read.clone();
             let expr = of_right_dimension(key, read);
             // A function of numbers is read with its units only where its letters may be some.
-            let with_unit = || with_unit(key, typed);
+            let as_printed = || {
+                let printed = expr.to_string();
+                let printed = Folded::of(&printed).ok()?;
+                (!has_dimension(key, &expr)).then(|| with_unit(key, printed.passage()))?
+            };
+            // `0.5 mcos(5t)` parts its letters when it is printed.
+            let with_unit = || with_unit(key, typed).or_else(as_printed);
             let unit = key.has_data(&expr).then(with_unit).flatten();
             match unit {
                 Some(Ok(_)) if has_dimension(key, &expr) => Err(Why::UnitOrQuantity.into()),

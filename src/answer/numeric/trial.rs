@@ -30,7 +30,7 @@ pub(crate) fn of_numbers(key: &Numbers) -> Vec<Trial> {
     };
     let mut trials = vec![
         Trial::new(Nature::WrongUnit, format!("7 {}", other_unit(&key.unit))),
-        Trial::new(Nature::Unreadable, "about seven"),
+        Trial::new(Nature::Unreadable, "a handful"),
         Trial::new(Nature::Unreadable, "7 m or 8 furlong"),
     ];
     // This many figures would cost something.
@@ -73,7 +73,7 @@ pub(crate) fn of_complex_numbers(key: &ComplexNumbers) -> Vec<Trial> {
             Nature::WrongUnit,
             format!("7 - 2i {}", other_unit(&key.unit)),
         ),
-        Trial::new(Nature::Unreadable, "seven"),
+        Trial::new(Nature::Unreadable, "a handful"),
     ];
     if key.targets.first().is_some_and(|target| target.half > 0.0) {
         trials.push(Trial::new(Nature::Borderline, moved(0.99)));
