@@ -41,7 +41,7 @@ fn main() -> Result<(), Failed> {
         .collect::<Result<Vec<_>, _>>()?
         .concat();
     let floor = best(|| black_box(bytes.clone()).len());
-    told(
+    print_row(
         "a sheet of five questions as HTML with its key",
         html,
         floor,
@@ -76,14 +76,14 @@ fn main() -> Result<(), Failed> {
             black_box(read).is_object()
         });
         let parts = keys.len() / SHEETS;
-        told(&format!("a student's {parts} parts, {name}"), marked, floor);
+        print_row(&format!("a student's {parts} parts, {name}"), marked, floor);
     }
     println!("    their part of the manifest read as JSON");
     Ok(())
 }
 
 /// Prints what a sheet of a run took, and how often that is the floor.
-fn told(what: &str, run: f64, floor: f64) {
+fn print_row(what: &str, run: f64, floor: f64) {
     let each = |seconds: f64| seconds / SHEETS as f64;
     println!(
         "{what}: {:.2} ms, {:.0} times the floor of {:.1} µs",

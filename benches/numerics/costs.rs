@@ -302,7 +302,7 @@ fn mechanics(costs: &mut Vec<Cost>) {
     let model = linearisation::model();
     let hanging = linearisation::numbers(&model, 0.0);
     let at_rest = hanging.equilibrium().is_ok();
-    assert!(at_rest, "the double pendulum has a position at rest");
+    assert!(at_rest, "the double pendulum has an equilibrium");
     add(
         costs,
         "energies: M, C, K of two coordinates",

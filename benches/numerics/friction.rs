@@ -81,7 +81,7 @@ pub(crate) fn from_release_to_rest(records: &mut Vec<Record>) {
                 }
             }));
         }
-        // Positions are told in units of the slip.
+        // Positions are given in units of the slip.
         for record in &mut records[before..before + 2] {
             let [_, position, ..] = if record.is_ours() {
                 ours(given)

@@ -1,4 +1,4 @@
-//! M and K of a double pendulum from its energies, about the position at rest.
+//! M and K of a double pendulum from its energies, about the equilibrium.
 
 use std::sync::Arc;
 
@@ -62,7 +62,7 @@ fn by_differences([p, q]: [f64; 2], prestretch: f64, step: f64) -> [f64; 6] {
     [first, mixed, last, 2.0, cos(p - q), 1.0]
 }
 
-/// M and K about the position at rest, for prepared energies.
+/// M and K about the equilibrium, for prepared energies.
 pub(crate) fn of_a_double_pendulum(records: &mut Vec<Record>) {
     let model = model();
     for case in Case::of("linearisation") {
@@ -85,9 +85,7 @@ pub(crate) fn of_a_double_pendulum(records: &mut Vec<Record>) {
             [a, b, c, d, e, f]
         };
         records.push(case.solution("vibank", || linearized(&rest)));
-        records.push(case.solution("vibank (with the position at rest)", || {
-            linearized(&numbers())
-        }));
+        records.push(case.solution("vibank (with the equilibrium)", || linearized(&numbers())));
         for power in 2..9 {
             let step = powi(10.0, -power);
             let mut record = case.solution("second differences", || {

@@ -1,4 +1,4 @@
-//! Timing, and the unit in which it is told.
+//! Timing, and the unit in which it is stated.
 
 use std::hint::black_box;
 use std::time::Instant;

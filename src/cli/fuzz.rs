@@ -12,7 +12,7 @@ pub fn class_list(bytes: &[u8]) -> Result<usize, String> {
     let students = class_list::read(&input(bytes, "csv"), &Columns::default());
     students
         .map(|students| students.len())
-        .map_err(|failure| told(&failure))
+        .map_err(|failure| message(&failure))
 }
 
 /// Responses, as `grade` reads them: the number of faults, or the message.
@@ -24,21 +24,21 @@ pub fn responses(bytes: &[u8]) -> Result<usize, String> {
     };
     let read = responses::read(&input(bytes, end));
     read.map(|handed| handed.faults())
-        .map_err(|failure| told(&failure))
+        .map_err(|failure| message(&failure))
 }
 
 /// A manifest, as `grade` reads it: the number of sheets, or the message.
 pub fn manifest(bytes: &[u8]) -> Result<usize, String> {
     let read = grade::manifest(&input(bytes, "manifest.json"));
     read.map(|manifest| manifest.variants.len())
-        .map_err(|failure| told(&failure))
+        .map_err(|failure| message(&failure))
 }
 
 /// A failure as it is printed, which says something.
-fn told(failure: &Failure) -> String {
-    let told = failure.to_string();
-    assert!(!told.trim().is_empty(), "a failure without words");
-    told
+fn message(failure: &Failure) -> String {
+    let message = failure.to_string();
+    assert!(!message.trim().is_empty(), "a failure without words");
+    message
 }
 
 /// A file with this content, the same in the whole campaign: the readers take paths.

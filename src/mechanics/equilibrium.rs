@@ -31,13 +31,13 @@ impl Equilibrium {
     }
 }
 
-/// The residuals of the equations of motion taken apart: what holds the system at rest, and what drives it.
+/// The residuals of the equations of motion taken apart: what holds the system at rest, and its excitation.
 #[derive(Clone, Debug)]
 pub(crate) struct Balance {
     /// The generalized forces at rest, as functions of the position, negative as on the left side.
     pub(crate) restoring: Vec<Normal>,
     /// What depends on time alone, as on the left side.
-    pub(crate) driving: Vec<Normal>,
+    pub(crate) excitation: Vec<Normal>,
     /// Whether time stands beside a coordinate.
     pub(crate) is_autonomous: bool,
 }
@@ -49,13 +49,13 @@ impl Balance {
         let moving: BTreeSet<_> = crate::numerics::gather(coordinates.iter().cloned());
         let mut balance = Self {
             restoring: Vec::new(),
-            driving: Vec::new(),
+            excitation: Vec::new(),
             is_autonomous: true,
         };
         for residual in residuals {
-            let (driving, restoring) = at_rest(residual, &moving)?.split_by(&time);
-            balance.is_autonomous &= !driving.mentions_any(&moving);
-            balance.driving.push(driving);
+            let (excitation, restoring) = at_rest(residual, &moving)?.split_by(&time);
+            balance.is_autonomous &= !excitation.mentions_any(&moving);
+            balance.excitation.push(excitation);
             balance.restoring.push(restoring);
         }
         Ok(balance)

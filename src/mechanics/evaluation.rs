@@ -5,8 +5,8 @@ use std::sync::OnceLock;
 
 use super::Unavailable;
 use super::definition::{Friction, Initial};
-use super::driving::Driving;
 use super::equilibrium::{Balance, Equilibrium};
+use super::excitation::Excitation;
 use super::lagrange::Energies;
 use super::linear::Linear;
 use super::programs::{Compiled, Slots};
@@ -34,7 +34,7 @@ pub(crate) struct Evaluation {
     /// Whether the equation is `I θ'' + A sin θ = 0`.
     pub(crate) is_pendulum: bool,
     tangent: Option<Tangent>,
-    driving: Option<Driving>,
+    excitation: Option<Excitation>,
 }
 
 /// What a model is evaluated from.
@@ -76,7 +76,7 @@ impl Evaluation {
             squares: OnceLock::new(),
             is_pendulum: is_pendulum(given.residuals, names)?,
             tangent: linear.map(Tangent::of),
-            driving: Driving::of(given.balance)?,
+            excitation: Excitation::of(given.balance)?,
         })
     }
 
@@ -90,8 +90,8 @@ impl Evaluation {
         self.tangent.as_ref().ok_or(Unavailable::TimeVarying)
     }
 
-    pub(crate) fn driving(&self) -> Result<&Driving, Unavailable> {
-        self.driving.as_ref().ok_or(Unavailable::NotHarmonic)
+    pub(crate) fn excitation(&self) -> Result<&Excitation, Unavailable> {
+        self.excitation.as_ref().ok_or(Unavailable::NotHarmonic)
     }
 }
 

@@ -11,8 +11,8 @@ pub(crate) struct Linear {
     pub(crate) mass: Matrix,
     pub(crate) damping: Matrix,
     pub(crate) stiffness: Matrix,
-    /// What drives each equation: functions of time, and what the equilibrium leaves on the right.
-    pub(crate) driving: Vec<Normal>,
+    /// The excitation of each equation: functions of time, and what the equilibrium leaves on the right.
+    pub(crate) excitation: Vec<Normal>,
 }
 
 /// A square matrix by rows.
@@ -26,7 +26,7 @@ impl Linear {
             mass: Vec::new(),
             damping: Vec::new(),
             stiffness: Vec::new(),
-            driving: Vec::new(),
+            excitation: Vec::new(),
         };
         let moving: BTreeSet<_> = crate::numerics::gather(coordinates.iter().cloned());
         let time = BTreeSet::from([Name::new("t")]);
@@ -50,7 +50,7 @@ impl Linear {
             if rest.mentions_any(&moving) {
                 return None;
             }
-            linear.driving.push(rest.negated());
+            linear.excitation.push(rest.negated());
         }
         Some(linear)
     }
@@ -73,21 +73,21 @@ impl Linear {
         if entries.any(|entry| entry.mentions(&time)) {
             return Ok(None);
         }
-        let mut driving = Vec::new();
-        for (row, own) in stiffness.iter().zip(&balance.driving) {
+        let mut excitation = Vec::new();
+        for (row, own) in stiffness.iter().zip(&balance.excitation) {
             let mut right = own.negated();
             for (entry, rest) in row.iter().zip(position) {
                 // The equation counts coordinates from their own zero, so that K times the equilibrium stands
                 // on the right.
                 right = right.plus(&entry.times(&Normal::of(rest)?)?)?;
             }
-            driving.push(right);
+            excitation.push(right);
         }
         Ok(Some(Self {
             mass,
             damping,
             stiffness,
-            driving,
+            excitation,
         }))
     }
 

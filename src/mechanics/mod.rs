@@ -8,11 +8,11 @@
 mod characteristic;
 mod definition;
 mod dimensions;
-mod driving;
 mod energy;
 mod equilibrium;
 mod error;
 mod evaluation;
+mod excitation;
 mod formulas;
 mod kinematics;
 mod lagrange;

@@ -209,7 +209,7 @@ impl Model {
     pub fn equation(&self, coordinate: usize) -> Option<Equation> {
         let linear = self.linear.as_ref()?;
         let left = linear.left(coordinate, self.coordinates()).ok()?;
-        let right = linear.driving.get(coordinate)?;
+        let right = linear.excitation.get(coordinate)?;
         Some(Equation {
             left: left.to_expr(&self.order),
             right: right.to_expr(&self.order),

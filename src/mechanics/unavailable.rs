@@ -66,11 +66,11 @@ pub enum Unavailable {
     /// There is no harmonic force.
     #[error("no harmonic force acts")]
     NoForce,
-    /// More than one frequency drives the model, or none has an amplitude by itself.
-    #[error("more than one angular frequency drives the model")]
+    /// More than one frequency excites the model, or none has an amplitude by itself.
+    #[error("more than one angular frequency excites the model")]
     SeveralFrequencies,
-    /// An undamped model is driven at a natural frequency.
-    #[error("the model is driven at a natural frequency without damping")]
+    /// An undamped model is excited at a natural frequency.
+    #[error("the model is excited at a natural frequency without damping")]
     Resonance,
     /// The damping couples the modes.
     #[error("the damping couples the modes")]

@@ -17,7 +17,7 @@ const PER_PERIOD: f64 = 24.0;
 /// Least and most pictures of a motion.
 const PICTURES: (f64, f64) = (96.0, 720.0);
 
-/// Periods of the slowest natural vibration that are shown, and periods of a mode or of what drives the system.
+/// Periods of the slowest natural vibration that are shown, and periods of a mode or of the excitation.
 const PERIODS: f64 = 5.0;
 const LOOPS: f64 = 2.0;
 
@@ -164,7 +164,7 @@ fn course(run: Run, numbers: &Numbers) -> Option<CoordinateCourse> {
     let largest = highest(&natural);
     // The frequency of a rigid motion may be the root of a rounding, 1e-8 of the largest.
     let vibrates = |frequency: f64| frequency > 1e-6 * largest;
-    let driving = numbers.driving_frequencies().unwrap_or_default();
+    let excitation = numbers.excitation_frequencies().unwrap_or_default();
     let motions = |motion: &dyn Fn(usize) -> Result<Motion, Unavailable>| {
         let rest = numbers.equilibrium().ok()?;
         let all = rest.iter().enumerate();
@@ -181,14 +181,14 @@ fn course(run: Run, numbers: &Numbers) -> Option<CoordinateCourse> {
                 shortest,
             })
         }
-        Run::Steady if !driving.is_empty() => Some(CoordinateCourse {
+        Run::Steady if !excitation.is_empty() => Some(CoordinateCourse {
             motions: motions(&|place| numbers.motion_of(Quantity::SteadyMotion(place)))?,
-            seconds: LOOPS * period(lowest(&driving)),
-            shortest: period(highest(&driving)),
+            seconds: LOOPS * period(lowest(&excitation)),
+            shortest: period(highest(&excitation)),
         }),
         Run::Start if numbers.model().has_start() => {
             let natural = natural.into_iter().filter(|own| vibrates(*own));
-            let all: Vec<f64> = natural.chain(driving).collect();
+            let all: Vec<f64> = natural.chain(excitation).collect();
             (!all.is_empty()).then_some(())?;
             let slow = period(lowest(&all));
             // Two frequencies near each other beat.

@@ -70,8 +70,8 @@ impl<'a> PartRubric<'a> {
         Ok(Some(Hand { points, rows }))
     }
 
-    /// What a student is told: the rows of the rubric with the points that were given.
-    pub(crate) fn told(&self, hand: &Hand, language: Language) -> Vec<Comment> {
+    /// The comments for a student: the rows of the rubric with the points that were given.
+    pub(crate) fn comments(&self, hand: &Hand, language: Language) -> Vec<Comment> {
         let first = Comment::sentence(&language.by_hand(&ByHand::Marked));
         std::iter::once(first)
             .chain((0..self.shares.len()).map(|at| {

@@ -37,7 +37,7 @@ pub(crate) struct Marker<'a> {
 }
 
 impl Marker<'_> {
-    /// What came out for a sheet, and what its student is told.
+    /// What came out for a sheet, and what is reported to its student.
     pub(crate) fn sheet(
         &self,
         variant: &VariantEntry,

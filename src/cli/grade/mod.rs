@@ -49,7 +49,7 @@ use self::manifest::Sheets;
 use self::marking::Marker;
 use self::outcome::SheetOutcome;
 use self::parts::Parts;
-use self::said::{Earlier, WrittenFiles, gradebook_lacks, items_moved_on, told};
+use self::said::{Earlier, WrittenFiles, gradebook_lacks, items_moved_on, needs_a_look};
 use self::standings::Class;
 use self::tables::Tables;
 use self::undecided::{AlikeAnswers, Undecided};
@@ -543,7 +543,7 @@ impl GradeJob<'_> {
         };
         // After all that was written from it: while the journal stands, everything can be made again.
         self.journal.finish();
-        told(&self.analysis, &lost, faults);
+        needs_a_look(&self.analysis, &lost, faults);
         items_moved_on(changed, self.arguments.accept_revisions, earlier.is_some());
         said::decided(&decided);
         if let Some(earlier) = &earlier {

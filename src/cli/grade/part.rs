@@ -13,7 +13,7 @@ use super::hand::PartRubric;
 use super::marking::Marker;
 use super::outcome::{Fraction, PartOutcome};
 
-/// What came out for a part, and what its student is told.
+/// What came out for a part, and what is reported to its student.
 pub(crate) struct MarkedPart {
     pub(crate) outcome: PartOutcome,
     pub(crate) feedback: PartFeedback,
@@ -32,7 +32,7 @@ struct PartStanding {
     carried_out: Vec<usize>,
 }
 
-/// What a person gave for a part: the points, if it is marked, and what the student is told.
+/// What a person gave for a part: the points, if it is marked, and what is reported to the student.
 struct AwardedPoints {
     points: Option<Rational>,
     remarks: Vec<Comment>,
@@ -41,7 +41,7 @@ struct AwardedPoints {
 }
 
 impl MarkedPart {
-    /// What came out for a part, and what its student is told.
+    /// What came out for a part, and what is reported to its student.
     pub(crate) fn of(
         marker: &Marker<'_>,
         solution: &Solution<'_>,
@@ -147,7 +147,7 @@ impl AwardedPoints {
         match sheet.read(text) {
             Ok(Some(hand)) => Self {
                 points: Some(hand.points),
-                remarks: sheet.told(&hand, marker.language),
+                remarks: sheet.comments(&hand, marker.language),
                 why: None,
             },
             Ok(None) => open(unmarked.clone()),
@@ -351,7 +351,7 @@ fn worth(points: Rational, max: Rational) -> (Verdict, Rational) {
     (verdict, credit)
 }
 
-/// What a student is told of a teacher's decision.
+/// What is reported to a student of a teacher's decision.
 fn said(decision: &Decision, language: Language) -> Vec<Comment> {
     let mut said = Vec::new();
     if let Some(response) = decision.response() {

@@ -207,7 +207,7 @@ impl WrittenFiles<'_> {
 }
 
 /// What needs a teacher's eye, on standard error.
-pub(crate) fn told(analysis: &Analysis, lost: &[Lost], faults: &[String]) {
+pub(crate) fn needs_a_look(analysis: &Analysis, lost: &[Lost], faults: &[String]) {
     let unreadable = analysis.count(Verdict::Unreadable) - analysis.open();
     let are = |count: u64| if count == 1 { "is" } else { "are" };
     let title = format!(

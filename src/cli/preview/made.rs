@@ -33,7 +33,7 @@ pub(crate) struct Summary {
     count: usize,
     code: String,
     student: Option<String>,
-    /// As it is printed, and in minutes where these can be told.
+    /// As it is printed, and in minutes where these are known.
     duration: String,
     duration_minutes: Option<f64>,
     minutes: u32,

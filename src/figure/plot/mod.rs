@@ -97,7 +97,7 @@ pub enum Course<'a> {
 /// How a curve is drawn.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum CurveStyle {
-    /// Told apart from the other curves by dashes.
+    /// Distinguished from the other curves by dashes.
     #[default]
     Auto,
     /// Without a gap.

@@ -92,7 +92,7 @@ pub(crate) fn motion(numbers: &Numbers) -> Result<Motion, Unavailable> {
 }
 
 fn friction_motion(numbers: &Numbers) -> Result<FrictionMotion, Unavailable> {
-    if !numbers.drives()?.is_empty() {
+    if !numbers.excitation()?.is_empty() {
         return Err(Unavailable::Forced);
     }
     let forces = friction_forces(numbers)?;

@@ -26,9 +26,9 @@ pub(crate) fn motion(numbers: &Numbers) -> Result<Vec<Expr>, Unavailable> {
     let size = numbers.model.degrees_of_freedom();
     let mut sums: Vec<Vec<(f64, Expr)>> = vec![Vec::new(); size];
     add_modes(numbers, &mut sums)?;
-    for drive in numbers.drives()? {
-        let amplitudes = steady::amplitudes(numbers, drive)?;
-        let angle = || timed(drive.frequency);
+    for harmonic in numbers.excitation()? {
+        let amplitudes = steady::amplitudes(numbers, harmonic)?;
+        let angle = || timed(harmonic.frequency);
         for (sum, amplitude) in sums.iter_mut().zip(amplitudes) {
             sum.push((amplitude.re, Expr::call(Function::Cos, [angle()])));
             sum.push((-amplitude.im, Expr::call(Function::Sin, [angle()])));

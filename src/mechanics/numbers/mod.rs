@@ -1,7 +1,7 @@
 //! A model with numbers: each quantity computed when it is asked for, and once.
 
-mod driving;
 mod equilibrium;
+mod excitation;
 mod friction;
 mod general;
 mod hyper_dual;
@@ -20,7 +20,7 @@ use super::{Model, Quantity, Unavailable};
 use crate::expr::{Expr, Name, Precise, Undefined, Value};
 use crate::vibration::modes::Modes;
 use crate::vibration::{Oscillator, State};
-use driving::Drive;
+use excitation::Harmonic;
 pub use friction::{Frictional, TurningPoints};
 pub use hyper_dual::Linearization;
 use matrices::Matrices;
@@ -57,7 +57,7 @@ pub struct Numbers {
     position: OnceCell<Result<Vec<f64>, Unavailable>>,
     matrices: OnceCell<Result<Matrices, Unavailable>>,
     modes: OnceCell<Result<Modes, Unavailable>>,
-    drives: OnceCell<Result<Vec<Drive>, Unavailable>>,
+    excitation: OnceCell<Result<Vec<Harmonic>, Unavailable>>,
     response: OnceCell<Result<Arc<Response>, Unavailable>>,
 }
 
@@ -73,7 +73,7 @@ impl Numbers {
             position: OnceCell::new(),
             matrices: OnceCell::new(),
             modes: OnceCell::new(),
-            drives: OnceCell::new(),
+            excitation: OnceCell::new(),
             response: OnceCell::new(),
         }
     }
@@ -124,18 +124,18 @@ impl Numbers {
     }
 
     /// The forces, one entry per angular frequency.
-    pub(crate) fn drives(&self) -> Result<&[Drive], Unavailable> {
-        let drives = self.drives.get_or_init(|| driving::all(self));
-        drives.as_deref().map_err(Clone::clone)
+    pub(crate) fn excitation(&self) -> Result<&[Harmonic], Unavailable> {
+        let excitation = self.excitation.get_or_init(|| excitation::all(self));
+        excitation.as_deref().map_err(Clone::clone)
     }
 
-    /// The angular frequencies of what drives it, in rad/s, those of constant forces left out.
+    /// The angular frequencies of the excitation, in rad/s, those of constant forces left out.
     ///
     /// # Errors
     ///
     /// [`Unavailable::NotHarmonic`], or a number that is missing.
-    pub(crate) fn driving_frequencies(&self) -> Result<Vec<f64>, Unavailable> {
-        let frequencies = self.drives()?.iter().map(|drive| drive.frequency);
+    pub(crate) fn excitation_frequencies(&self) -> Result<Vec<f64>, Unavailable> {
+        let frequencies = self.excitation()?.iter().map(|harmonic| harmonic.frequency);
         Ok(frequencies.filter(|frequency| *frequency > 0.0).collect())
     }
 

@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use nalgebra::{DMatrix, DVector};
 
-use super::driving::Drive;
+use super::excitation::Harmonic;
 use super::{Motion, Numbers, Unavailable, matrices};
 use crate::expr::{Field, Form, Shape, Value};
 use crate::numerics::sin_cos;
@@ -38,7 +38,7 @@ pub(crate) struct Response {
     position: Vec<f64>,
     free: Option<ModalResponse>,
     /// The harmonic forces and the motion under each; the first one bears the initial state.
-    forced: Vec<(Drive, ForcedModalResponse)>,
+    forced: Vec<(Harmonic, ForcedModalResponse)>,
     damping: DMatrix<f64>,
     stiffness: DMatrix<f64>,
     inverse_mass: DMatrix<f64>,
@@ -80,13 +80,13 @@ impl Response {
         Some((x, v))
     }
 
-    /// What accelerates: the driving forces less those of dampers and springs.
+    /// What accelerates: the exciting forces less those of dampers and springs.
     fn forces(&self, x: &DVector<f64>, v: &DVector<f64>, time: f64) -> DVector<f64> {
         let mut forces = -(&self.damping * v) - &self.stiffness * x;
-        for (drive, _) in &self.forced {
-            let (sine, cosine) = sin_cos(drive.frequency * time);
-            forces += DVector::from_column_slice(&drive.cosine) * cosine;
-            forces += DVector::from_column_slice(&drive.sine) * sine;
+        for (harmonic, _) in &self.forced {
+            let (sine, cosine) = sin_cos(harmonic.frequency * time);
+            forces += DVector::from_column_slice(&harmonic.cosine) * cosine;
+            forces += DVector::from_column_slice(&harmonic.sine) * sine;
         }
         forces
     }
@@ -230,11 +230,11 @@ fn response(numbers: &Numbers) -> Result<Response, Unavailable> {
     let damping = damping(numbers)?;
     let still = vec![0.0; displacements.len()];
     let mut forced = Vec::new();
-    for (at, drive) in numbers.drives()?.iter().enumerate() {
+    for (at, harmonic) in numbers.excitation()?.iter().enumerate() {
         let forces = HarmonicForces {
-            cosine: &drive.cosine,
-            sine: &drive.sine,
-            angular_frequency: drive.frequency,
+            cosine: &harmonic.cosine,
+            sine: &harmonic.sine,
+            angular_frequency: harmonic.frequency,
         };
         let start = if at == 0 {
             [&displacements, &velocities]
@@ -243,7 +243,7 @@ fn response(numbers: &Numbers) -> Result<Response, Unavailable> {
         };
         let [x, v] = start;
         let motion = ForcedModalResponse::of(modes, &damping, forces, x, v, horizon)?;
-        forced.push((drive.clone(), motion));
+        forced.push((harmonic.clone(), motion));
     }
     let free = if forced.is_empty() {
         Some(ModalResponse::of(

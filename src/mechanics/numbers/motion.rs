@@ -108,10 +108,10 @@ impl Motion {
             return friction::motion(numbers);
         }
         let oscillator = numbers.oscillator()?;
-        let forces = numbers.drives()?.iter().map(|drive| HarmonicForce {
-            cosine: drive.cosine[0],
-            sine: drive.sine[0],
-            angular_frequency: drive.frequency,
+        let forces = numbers.excitation()?.iter().map(|harmonic| HarmonicForce {
+            cosine: harmonic.cosine[0],
+            sine: harmonic.sine[0],
+            angular_frequency: harmonic.frequency,
         });
         let offset = numbers.equilibrium()?[0];
         let start = numbers.start()?[0];
@@ -130,17 +130,17 @@ impl Motion {
     ///
     /// [`Unavailable::NoForce`], [`Unavailable::NotHarmonic`], [`Unavailable::Resonance`], and those of [`Numbers::equilibrium`].
     pub(crate) fn steady(numbers: &Numbers, coordinate: usize) -> Result<Self, Unavailable> {
-        let drives = numbers.drives()?;
-        if drives.is_empty() {
+        let excitation = numbers.excitation()?;
+        if excitation.is_empty() {
             return Err(Unavailable::NoForce);
         }
-        let harmonics = drives
+        let harmonics = excitation
             .iter()
-            .map(|drive| Ok((drive, steady::amplitudes(numbers, drive)?[coordinate])))
+            .map(|harmonic| Ok((harmonic, steady::amplitudes(numbers, harmonic)?[coordinate])))
             .collect::<Result<Vec<_>, Unavailable>>()?;
         let harmonics = harmonics
             .into_iter()
-            .map(|(drive, own)| (drive.frequency, own));
+            .map(|(harmonic, own)| (harmonic.frequency, own));
         Ok(Self(MotionKind::Steady(SteadyMotion {
             offset: numbers.equilibrium()?[coordinate],
             harmonics: harmonics.collect(),
@@ -222,11 +222,11 @@ impl OscillatorMotion {
     /// From the equation of motion.
     fn acceleration(&self, force: &HarmonicForce, response: &ForcedResponse, time: f64) -> f64 {
         let (sine, cosine) = sin_cos(force.angular_frequency * time);
-        let driving = force.cosine * cosine + force.sine * sine;
+        let exciting = force.cosine * cosine + force.sine * sine;
         let state = response.state(time);
         let restoring = self.oscillator.damping() * state.velocity
             + self.oscillator.stiffness() * state.position;
-        (driving - restoring) / self.oscillator.mass()
+        (exciting - restoring) / self.oscillator.mass()
     }
 }
 

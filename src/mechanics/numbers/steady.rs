@@ -1,14 +1,14 @@
 //! The steady state under harmonic forces.
 
-use super::driving::Drive;
-use super::{Numbers, Unavailable, driving, matrices, modal};
+use super::excitation::Harmonic;
+use super::{Numbers, Unavailable, excitation, matrices, modal};
 use crate::expr::{Field, Form, Shape, Value};
 use crate::numerics::Complex;
 use crate::vibration::FrequencyResponse;
 use crate::vibration::modal::HarmonicResponse;
 use crate::vibration::modes::ModesError;
 
-/// X of a coordinate with `x = Re(X e^(iΩt))`, for the only angular frequency that drives the model.
+/// X of a coordinate with `x = Re(X e^(iΩt))`, for the only angular frequency that excites the model.
 ///
 /// # Errors
 ///
@@ -17,7 +17,7 @@ pub(crate) fn complex_amplitude(
     numbers: &Numbers,
     coordinate: usize,
 ) -> Result<Complex, Unavailable> {
-    Ok(amplitudes(numbers, driving::only(numbers)?)?[coordinate])
+    Ok(amplitudes(numbers, excitation::only(numbers)?)?[coordinate])
 }
 
 /// The complex amplitude as a value.
@@ -39,12 +39,15 @@ pub(crate) fn complex_amplitude_value(
 }
 
 /// The solution of `(K − Ω² M + iΩ C) X = F`.
-pub(crate) fn amplitudes(numbers: &Numbers, drive: &Drive) -> Result<Vec<Complex>, Unavailable> {
-    let forces = drive.cosine.iter().zip(&drive.sine);
+pub(crate) fn amplitudes(
+    numbers: &Numbers,
+    harmonic: &Harmonic,
+) -> Result<Vec<Complex>, Unavailable> {
+    let forces = harmonic.cosine.iter().zip(&harmonic.sine);
     let forces: Vec<_> = forces.map(|(a, b)| Complex::new(*a, -*b)).collect();
     // One coordinate has a closed form, which keeps its digits beside resonance.
     if let ([force], Ok(oscillator)) = (forces.as_slice(), numbers.oscillator()) {
-        let response = FrequencyResponse::at(&oscillator, drive.frequency);
+        let response = FrequencyResponse::at(&oscillator, harmonic.frequency);
         if response.is_unbounded() {
             return Err(Unavailable::Resonance);
         }
@@ -53,7 +56,7 @@ pub(crate) fn amplitudes(numbers: &Numbers, drive: &Drive) -> Result<Vec<Complex
     let response = HarmonicResponse::of(
         &matrices::system(numbers)?,
         &modal::damping(numbers)?,
-        drive.frequency,
+        harmonic.frequency,
     );
     let amplitudes = response.and_then(|own| own.amplitudes(&forces));
     amplitudes.map_err(|error| match error {

@@ -24,7 +24,7 @@ fn lines(corpus: &'static str) -> impl Iterator<Item = Vec<&'static str>> {
 }
 
 /// What a marking came to, for a message.
-fn told(marking: &Marking) -> String {
+fn reported(marking: &Marking) -> String {
     let reasons = marking
         .reasons()
         .iter()
@@ -71,7 +71,10 @@ fn mark_formulas(corpus: &'static str) -> (Vec<String>, [usize; 3]) {
             counts[place] += 1;
             let marking = vibank::grade::mark(&solution, 0, response);
             if marking.verdict.name() != RELATIONS[place].1 {
-                faults.push(format!("{key} {relation} {response}: {}", told(&marking)));
+                faults.push(format!(
+                    "{key} {relation} {response}: {}",
+                    reported(&marking)
+                ));
             }
         }
     }
@@ -124,7 +127,7 @@ fn numbers_are_read_as_they_are_meant() {
                     .map(|reading| reading.answered.si());
                 faults.push(format!(
                     "`{response}` for {unit}: {due} is due, {si:?} {}",
-                    told(&marking)
+                    reported(&marking)
                 ));
             }
         }
@@ -155,7 +158,7 @@ fn equations_of_motion_are_told_apart() {
         if marking.verdict.name() != due && !is_named || !is_said {
             faults.push(format!(
                 "{item} {part} `{response}`: {due}, {words}; {}",
-                told(&marking)
+                reported(&marking)
             ));
         }
     }

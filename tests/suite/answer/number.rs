@@ -96,7 +96,7 @@ fn slips_are_told() {
     );
 }
 
-/// A mistake of another dimension is told by its number, with its unit, with that of the answer or without.
+/// A mistake of another dimension is diagnosed by its number, with its unit, with that of the answer or without.
 #[test]
 fn mistakes_in_another_unit_are_told() {
     let mistakes = "tolerance = \"1 %\"\nmistakes = [{ answer = \"q^2\", unit = \"1/s^2\", feedback = \"Its square.\" }]\n";
@@ -192,11 +192,11 @@ fn an_interval_for_angles_has_two_ends_and_a_period() {
             ("ch1/_chapter.toml", "title = 'T'\n"),
             ("ch1/test.toml", item.as_str()),
         ]);
-        let told = format!("{findings:?}");
+        let reported = format!("{findings:?}");
         assert_eq!(
-            !told.contains("not an interval"),
+            !reported.contains("not an interval"),
             is_sound,
-            "{within}: {told}"
+            "{within}: {reported}"
         );
     }
 }

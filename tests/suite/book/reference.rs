@@ -23,7 +23,7 @@ fn printed(arguments: &[&str], typed: &str) -> String {
         .stderr(Stdio::null())
         .spawn()
         .unwrap();
-    // A command that reads nothing may have ended before it is told anything.
+    // A command that reads nothing may have ended before it reads anything.
     let _ = child.stdin.take().unwrap().write_all(typed.as_bytes());
     let output = child.wait_with_output().unwrap();
     let text = String::from_utf8(output.stdout).unwrap();

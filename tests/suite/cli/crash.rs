@@ -158,7 +158,7 @@ fn survives_kills(
         let status = again.wait().expect("it ends");
         assert!(status.code().is_some_and(|code| code < 2), "{status}");
         let mut found = tree(&out(&place));
-        // Who marks a run that was marked to the end is told what has changed: nothing.
+        // Who marks a run that was marked to the end sees what has changed: nothing.
         if let Some(changes) = found.remove(Path::new("changes.csv")) {
             assert!(String::from_utf8_lossy(&changes).lines().count() <= 1);
         }

@@ -134,7 +134,7 @@ fn a_folder_of_saved_answers_is_marked_and_what_is_wrong_with_a_file_is_told_by_
         exam.verdicts(),
         ["right", "unreadable", "unreadable", "right"]
     );
-    // One file alone is taken too, and a sheet of another run is told.
+    // One file alone is taken too, and a sheet of another run is reported.
     let foreign = Exam::new("saved-foreign");
     let other = foreign.codes.iter().find(|code| !exam.codes.contains(code));
     let alone = put(
@@ -220,8 +220,8 @@ fn answers_to_questions_of_ones_own_are_read_and_their_keys_are_not_told() {
     assert_eq!(ran.err, "");
     let manifest = json_of(folder.join("out/manifest.json"));
     let page = content(folder.join(format!("out/form/{}.html", codes(&manifest)[0])));
-    for told in ["0.4317", "9.8123"] {
-        assert!(!page.contains(told), "{told}");
+    for reported in ["0.4317", "9.8123"] {
+        assert!(!page.contains(reported), "{reported}");
     }
 }
 

@@ -183,7 +183,7 @@ fn a_filled_form_is_marked_row_by_row_and_nothing_is_lost() {
             .is_some_and(|text| text.contains("2π"))
     );
     assert_eq!(of(11, "1b")["response"], "3,1 \"Hz\"\nor so");
-    // What could not be counted is told with its line.
+    // What could not be counted is reported with its line.
     ran.complains("part 1b of sheet")
         .complains("was already answered differently in line")
         .complains("question `two` is not a number")
@@ -381,7 +381,7 @@ fn files_that_are_no_form_or_manifest_are_refused() {
     let other = content(&manifest).replace("\"revision\":\"", "\"revision\":\"00000000");
     let other = put(&exam.folder, "other.json", other);
     small(&["grade", &other, &form]).ends(2);
-    // A line that is no UTF-8 is told; the others are marked.
+    // A line that is not UTF-8 is reported; the others are marked.
     let answer = format!("{:.4}", exam.omega(0));
     let mut rows = format!(
         "code,question,part,response\n{},1,a,{answer} rad/s\n",
@@ -861,7 +861,7 @@ fn broken_rows_are_told_and_the_rest_is_marked() {
         .complains("entry 3 has no `code`")
         .complains("line 4: question `` is not a number")
         .says("1 right");
-    // A code with a character that is another one is told to be mistyped.
+    // A code with a character that is another one is reported as mistyped.
     let code = exam.code(0);
     let other = if code.starts_with('2') { '3' } else { '2' };
     let code = format!("{other}{}", &code[1..]);

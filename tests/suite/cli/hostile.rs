@@ -115,7 +115,7 @@ fn numbers_beyond_all_bounds_are_told() {
         let line = &raw("solve", line).lines()[0];
         assert!(line["error"]["message"].is_string(), "{value}: {line}");
     }
-    // The ends of binary64 are answered, or told to be absent with the reason.
+    // The ends of binary64 are answered, or reported to be absent with the reason.
     for (m, k) in [
         ("1e-300 kg", "1e300 N/m"),
         ("1e300 kg", "1e-300 N/m"),
@@ -125,9 +125,9 @@ fn numbers_beyond_all_bounds_are_told() {
             json!({"id": "free/spring-mass", "set": {"m": m, "k": k}, "want": ["omega_n"]});
         let line = &raw("solve", format!("{request}\n")).lines()[0];
         let entry = &line["answers"]["omega_n"];
-        let told =
+        let reported =
             entry["si"].is_number() || entry["reason"].is_string() || line["error"].is_object();
-        assert!(told, "{line}");
+        assert!(reported, "{line}");
     }
     for response in [
         "1e400 rad/s",

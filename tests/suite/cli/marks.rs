@@ -453,11 +453,11 @@ fn points_of_a_void_part_are_changes_of_its_decision_alone() {
     run.grade("1a,1b,1c", &rows, &[]).ends(0);
     let decided = run.table("decisions.csv");
     let first = decided.iter().filter(|row| row["code"] == run.codes[0]);
-    let told: Vec<(&str, &str)> = first
+    let reported: Vec<(&str, &str)> = first
         .map(|row| (row["who"].as_str(), row["part"].as_str()))
         .collect();
     // All of `omega`, and twice the 3 points of the choice, which only the 5 of `v` make more.
-    assert_eq!(told, [("omega", "a"), ("v", "b"), ("v", "c")]);
+    assert_eq!(reported, [("omega", "a"), ("v", "b"), ("v", "c")]);
     assert_eq!(run.column("points")[0], "10");
 }
 

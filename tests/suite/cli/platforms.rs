@@ -86,7 +86,7 @@ fn marked(report: &str, more: &[&str], expected: &str) -> (Course, Ran) {
     let questions = course.questions(report);
     let ran = course.grade(&questions, &format!("{FIXTURES}/{report}"), more);
     let verdicts = course.verdicts();
-    let told: Vec<String> = verdicts
+    let reported: Vec<String> = verdicts
         .iter()
         .map(|(place, verdict)| format!("{place} {verdict}"))
         .collect();
@@ -95,7 +95,7 @@ fn marked(report: &str, more: &[&str], expected: &str) -> (Course, Ran) {
         .map(str::trim)
         .filter(|line| !line.is_empty())
         .collect();
-    assert_eq!(told, expected, "{}", ran.err);
+    assert_eq!(reported, expected, "{}", ran.err);
     (course, ran)
 }
 

@@ -73,7 +73,7 @@ fn each_code_has_a_fixture_that_raises_it_and_a_report_that_helps() {
             continue;
         }
         let report = report(code).complains(&format!("[{code}]"));
-        // The place of a blueprint is told with the folder in which the test laid it out.
+        // The place of a blueprint is reported with the folder in which the test laid it out.
         let tmp = format!(
             "{}/cli/report-{}/",
             env!("CARGO_TARGET_TMPDIR"),

@@ -1,4 +1,4 @@
-//! What authors get wrong, and what they are told.
+//! What authors get wrong, and what is reported.
 
 use vibank::diagnostic::Diagnose;
 use vibank::expr::{Expr, Name};
@@ -40,20 +40,23 @@ fn derived(change: impl FnOnce(&mut Definition)) -> Vec<(String, String, String)
         let found = sources.iter().find_map(|text| text.get(span.range()));
         found.map(str::to_owned)
     };
-    let told = errors.iter().map(|error| {
+    let reported = errors.iter().map(|error| {
         (
             error.code().to_string(),
             error.to_string(),
             place(error).unwrap_or_default(),
         )
     });
-    told.collect()
+    reported.collect()
 }
 
 fn check(change: impl FnOnce(&mut Definition), code: &str, message: &str) {
-    let told = derived(change);
-    assert_eq!(told.len(), 1, "{told:?}");
-    assert_eq!((told[0].0.as_str(), told[0].1.as_str()), (code, message));
+    let reported = derived(change);
+    assert_eq!(reported.len(), 1, "{reported:?}");
+    assert_eq!(
+        (reported[0].0.as_str(), reported[0].1.as_str()),
+        (code, message)
+    );
 }
 
 #[test]
@@ -63,9 +66,9 @@ fn a_right_model_has_no_finding() {
 
 #[test]
 fn a_dimension_slip_points_at_the_term() {
-    let told = derived(|own| own.potential = read("1/2*k*x^2 - m*g"));
-    let [(code, message, place)] = told.as_slice() else {
-        panic!("{told:?}");
+    let reported = derived(|own| own.potential = read("1/2*k*x^2 - m*g"));
+    let [(code, message, place)] = reported.as_slice() else {
+        panic!("{reported:?}");
     };
     assert_eq!(code, "model::dimension");
     assert_eq!(message, "a term of `potential` is in N, due is J");

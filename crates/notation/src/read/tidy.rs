@@ -1,7 +1,7 @@
 //! The pieces of a row brought into their one form.
 //!
 //! Nested rows are opened, digits that stand together joined, primes put where superscripts are,
-//! signs before operands told from signs between them, and the letters of an upright word joined.
+//! signs before operands distinguished from signs between them, and the letters of an upright word joined.
 
 use crate::{Atom, Class, Empty, Math, Style};
 

@@ -41,7 +41,7 @@ pub(crate) struct Decision {
     /// Why; may be empty.
     why: String,
     effect: Effect,
-    /// What the student is told.
+    /// What is reported to the student.
     pub(crate) feedback: Option<String>,
     /// What it would be about, if nothing of the kind was handed out.
     unknown: String,

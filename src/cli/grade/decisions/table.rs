@@ -202,7 +202,7 @@ impl Settled<'_> {
         let words = match (self.response, self.points) {
             (Some(response), None) => format!("read as `{response}`"),
             (_, Some(points)) => format!("{points} points"),
-            (None, None) => "told to the student".to_owned(),
+            (None, None) => "reported to the student".to_owned(),
         };
         Ok(Decision {
             place: format!("overrides, line {}", self.line),

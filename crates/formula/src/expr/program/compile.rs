@@ -28,7 +28,7 @@ pub(crate) struct Compiler<'a> {
     assembler: Assembler,
     /// The names bound by the operators around the place, with their values, innermost last.
     locals: Vec<BoundName>,
-    /// The names alone, as binders are told them.
+    /// The names alone, as binders take them.
     pub(crate) local_names: Vec<Name>,
     /// What nodes to which several ways lead have become, by node and innermost local.
     known: NumberTable<(usize, usize), Array>,

@@ -189,7 +189,7 @@ impl Program {
                 value
             }
             Err(absence) if absence.reason == Undefined::TooLong => return first,
-            // A divisor that thirty digits do not tell from zero may be told by more; what else has no value
+            // A divisor that thirty digits do not distinguish from zero may be distinguished by more; what else has no value
             // has none.
             Err(absence) if absence.reason != Undefined::DivisionByZero => return Err(absence),
             Err(absence) => Err(absence),

@@ -1,12 +1,12 @@
-//! What drives a model, as harmonics.
+//! The excitation of a model, as harmonics.
 
 use super::equilibrium::Balance;
 use super::programs::Compiled;
 use crate::expr::{Name, SymbolicError};
 
-/// All harmonics that drive a model: which equation each acts on, and its numbers.
+/// All harmonics that excite a model: which equation each acts on, and its numbers.
 #[derive(Clone, Debug)]
-pub(crate) struct Driving {
+pub(crate) struct Excitation {
     pub(crate) terms: Vec<HarmonicTerm>,
     /// Factor, angular frequency and phase of each term, one after the other.
     pub(crate) numbers: Compiled,
@@ -19,12 +19,12 @@ pub(crate) struct HarmonicTerm {
     pub(crate) is_sine: bool,
 }
 
-impl Driving {
+impl Excitation {
     /// The terms of the balance that depend on time; nothing if one is no harmonic.
     pub(crate) fn of(balance: &Balance) -> Result<Option<Self>, SymbolicError> {
         let (mut terms, mut numbers) = (Vec::new(), Vec::new());
-        for (equation, driving) in balance.driving.iter().enumerate() {
-            let Some((_, harmonics)) = driving.negated().harmonics(&Name::new("t"))? else {
+        for (equation, excitation) in balance.excitation.iter().enumerate() {
+            let Some((_, harmonics)) = excitation.negated().harmonics(&Name::new("t"))? else {
                 return Ok(None);
             };
             for harmonic in harmonics {

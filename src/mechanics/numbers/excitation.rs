@@ -1,11 +1,11 @@
-//! Harmonic forces as numbers.
+//! The excitation of a model as numbers: harmonic forces.
 
 use super::{Numbers, Unavailable};
 use crate::numerics::sin_cos;
 
 /// Harmonic forces of one angular frequency, `a cos Ωt + b sin Ωt` on each coordinate.
 #[derive(Clone, Debug)]
-pub(crate) struct Drive {
+pub(crate) struct Harmonic {
     /// Ω, not negative.
     pub(crate) frequency: f64,
     pub(crate) cosine: Vec<f64>,
@@ -13,39 +13,44 @@ pub(crate) struct Drive {
 }
 
 /// The forces of the only angular frequency.
-pub(crate) fn only(numbers: &Numbers) -> Result<&Drive, Unavailable> {
-    match numbers.drives()? {
+pub(crate) fn only(numbers: &Numbers) -> Result<&Harmonic, Unavailable> {
+    match numbers.excitation()? {
         [] => Err(Unavailable::NoForce),
         [only] => Ok(only),
         _ => Err(Unavailable::SeveralFrequencies),
     }
 }
 
-pub(crate) fn all(numbers: &Numbers) -> Result<Vec<Drive>, Unavailable> {
-    let driving = numbers.model.evaluation.driving()?;
-    let mut drives: Vec<Drive> = Vec::new();
-    if driving.terms.is_empty() {
-        return Ok(drives);
+/// The forces of each angular frequency, in the order of the terms.
+pub(crate) fn all(numbers: &Numbers) -> Result<Vec<Harmonic>, Unavailable> {
+    let excitation = numbers.model.evaluation.excitation()?;
+    let mut harmonics: Vec<Harmonic> = Vec::new();
+    if excitation.terms.is_empty() {
+        return Ok(harmonics);
     }
-    let values = numbers.value(&driving.numbers, &[])?;
+    let values = numbers.value(&excitation.numbers, &[])?;
     let size = numbers.model.degrees_of_freedom();
-    for (term, own) in driving.terms.iter().zip(values.numbers().chunks_exact(3)) {
+    for (term, own) in excitation
+        .terms
+        .iter()
+        .zip(values.numbers().chunks_exact(3))
+    {
         let [factor, frequency, phase] = [own[0], own[1], own[2]];
         let (cosine, sine) = cosine_and_sine(factor, frequency, phase, term.is_sine);
         let frequency = frequency.abs();
-        let known = drives.iter().position(|own| own.frequency == frequency);
+        let known = harmonics.iter().position(|own| own.frequency == frequency);
         let at = known.unwrap_or_else(|| {
-            drives.push(Drive {
+            harmonics.push(Harmonic {
                 frequency,
                 cosine: vec![0.0; size],
                 sine: vec![0.0; size],
             });
-            drives.len() - 1
+            harmonics.len() - 1
         });
-        drives[at].cosine[term.equation] += cosine;
-        drives[at].sine[term.equation] += sine;
+        harmonics[at].cosine[term.equation] += cosine;
+        harmonics[at].sine[term.equation] += sine;
     }
-    Ok(drives)
+    Ok(harmonics)
 }
 
 /// The factors of cos Ωt and sin Ωt in a harmonic with a phase; Ω is taken positive.
