@@ -266,14 +266,35 @@ impl Graph {
         self.reach(id).contains(name)
     }
 
-    /// The quantities on which a node depends, itself left out.
+    /// The quantities on which a node depends, itself left out. One that only repeats another, to be printed with more
+    /// figures, is that other one: nobody rounds it a second time.
     pub fn steps(&self, id: NodeId) -> Vec<NodeId> {
+        let own = self.repeated(id);
         let names = self.reach(id).iter();
         names
             .filter_map(|name| self.find(name))
-            .filter(|step| *step != id)
+            .filter(|step| *step != own && self.repeated(*step) == *step)
             .filter(|step| matches!(self.node(*step).role, NodeRole::Quantity(_)))
             .collect()
+    }
+
+    /// The quantity that a node only repeats by its name, through others too; itself if it says more.
+    fn repeated(&self, id: NodeId) -> NodeId {
+        let chain = std::iter::successors(Some(id), |node| self.repeats(*node));
+        // A chain that is longer goes in a circle, which `resolve` reports.
+        chain.take(self.nodes.len()).last().unwrap_or(id)
+    }
+
+    /// The quantity whose name is all of a quantity's formula.
+    fn repeats(&self, id: NodeId) -> Option<NodeId> {
+        let quantity = |id: NodeId| match &self.node(id).role {
+            NodeRole::Quantity(formula) => Some(formula),
+            _ => None,
+        };
+        let Kind::Name(name) = quantity(id)?.kind() else {
+            return None;
+        };
+        self.find(name).filter(|other| quantity(*other).is_some())
     }
 
     /// The data on which a node depends.

@@ -75,6 +75,36 @@ fn a_key_that_rounding_leaves_open_is_not_handed_out() {
     );
 }
 
+/// What is printed with more figures is rounded no second time: a tolerance counts it once.
+#[test]
+fn a_quantity_that_repeats_another_widens_no_tolerance() {
+    let spread = |quantities: &str, key: &str| {
+        let item = format!(
+            "[item]\ntitle = 'T'\nsource = 'by hand'\n[parameters]\nk = {{ value = '7 N/m' }}\n[statement]\ntext = 'T'\n[quantities]\n{quantities}\n[[part]]\nid = 'p'\nkey = '{key}'\nunit = 'N/m'\nask = 'Find it.'\n"
+        );
+        let (catalogue, findings) = Catalogue::load([
+            ("bank.toml", "format = 1\ntitle = 'T'\n"),
+            ("c/_chapter.toml", "title = 'C'\n"),
+            ("c/a.toml", item.as_str()),
+        ]);
+        let template = catalogue
+            .find("c/a")
+            .unwrap_or_else(|| panic!("{findings:?}"));
+        let solution = Solution::of(Instance::of_source(template));
+        let key = template.graph.find(&key.into()).unwrap();
+        solution.evaluation().spread(key)[0]
+    };
+    let same = |own: f64, other: f64| assert!((own / other - 1.0).abs() < 1e-5, "{own} {other}");
+    let plain = spread("a = '2*k'\ny = 'a^2/k - a'", "y");
+    // y = 4 k - 2 k moves with a by (2 a/k - 1) a = 3 a.
+    same(plain, 8.0 * 7.0);
+    let printed = "a = '2*k'\nb = { formula = 'a', digits = 6 }\n";
+    same(spread(&format!("{printed}y = 'b^2/k - b'"), "y"), plain);
+    same(spread(&format!("{printed}y = 'b^2/k - a'"), "y"), plain);
+    same(spread(printed, "b"), 14.0);
+    same(spread(printed, "a"), 14.0);
+}
+
 #[test]
 fn honest_work_is_right_and_wrong_methods_are_not() {
     let catalogue = &*BANK;
