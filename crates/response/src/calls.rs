@@ -3,8 +3,8 @@
 use super::parser::{Parser, Result, has_unit, is_time, number, uses_time};
 use super::signs::DECIMAL;
 use super::token::{Item, Token};
-use super::vocabulary::Powered;
 use super::ways::Doubtful;
+use super::words::Powered;
 use super::{Trouble, TypedError};
 use vibank_dynamics::numerics::Rational;
 use vibank_formula::expr::{Constant, Expr, Function, Kind, Operator};

@@ -2,95 +2,9 @@
 
 use super::signs::is_apostrophe;
 use super::wording::Wording;
-use super::words::{DENIALS, DOUBTS, OTHER_VALUES, WITHDRAWALS};
+use super::words::{COUNTS, DENIALS, DOUBTS, OTHER_VALUES, PARTS, WITHDRAWALS};
 use vibank_dynamics::numerics::Rational;
 use vibank_source::lower;
-
-/// Small numbers as words.
-const COUNTS: &[(&str, u16)] = &[
-    ("zero", 0),
-    ("one", 1),
-    ("unity", 1),
-    ("two", 2),
-    ("three", 3),
-    ("four", 4),
-    ("five", 5),
-    ("six", 6),
-    ("seven", 7),
-    ("eight", 8),
-    ("nine", 9),
-    ("ten", 10),
-    ("eleven", 11),
-    ("twelve", 12),
-    ("thirteen", 13),
-    ("fourteen", 14),
-    ("fifteen", 15),
-    ("sixteen", 16),
-    ("seventeen", 17),
-    ("eighteen", 18),
-    ("nineteen", 19),
-    ("twenty", 20),
-    ("un", 1),
-    ("deux", 2),
-    ("trois", 3),
-    ("quatre", 4),
-    ("cinq", 5),
-    ("sept", 7),
-    ("huit", 8),
-    ("neuf", 9),
-    ("dix", 10),
-    ("eins", 1),
-    ("zwei", 2),
-    ("drei", 3),
-    ("vier", 4),
-    ("fünf", 5),
-    ("sechs", 6),
-    ("sieben", 7),
-    ("acht", 8),
-    ("neun", 9),
-    ("zehn", 10),
-    ("thirty", 30),
-    ("forty", 40),
-    ("fifty", 50),
-    ("sixty", 60),
-    ("seventy", 70),
-    ("eighty", 80),
-    ("ninety", 90),
-    ("hundred", 100),
-    ("thousand", 1000),
-    ("no", 0),
-    ("nil", 0),
-    ("none", 0),
-    ("null", 0),
-    ("single", 1),
-    ("double", 2),
-    ("twofold", 2),
-    ("triple", 3),
-    ("II", 2),
-    ("III", 3),
-    ("IV", 4),
-];
-
-/// Parts of one, as words.
-const PARTS: &[(&str, u8)] = &[
-    ("half", 2),
-    ("halves", 2),
-    ("third", 3),
-    ("quarter", 4),
-    ("fourth", 4),
-    ("fifth", 5),
-    ("sixth", 6),
-    ("seventh", 7),
-    ("eighth", 8),
-    ("ninth", 9),
-    ("tenth", 10),
-    ("demi", 2),
-    ("tiers", 3),
-    ("quart", 4),
-    ("halb", 2),
-    ("Drittel", 3),
-    ("Viertel", 4),
-];
 
 /// What is counted in this field, and words beside it. Cycles and half-cycles are missing: three of the ones are six of the
 /// others.

@@ -3,7 +3,7 @@
 use super::lexer::Lexer;
 use super::signs::DECIMAL;
 use super::token::{Item, Token};
-use super::vocabulary::Powered;
+use super::words::Powered;
 use super::{Trouble, TypedError};
 use vibank_dynamics::numerics::Rational;
 use vibank_formula::expr::Function;

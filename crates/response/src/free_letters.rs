@@ -2,7 +2,7 @@
 
 use super::Lexicon;
 use super::letters::{Letters, greek_word, letter, lowered};
-use super::vocabulary::is_function;
+use super::words::is_function;
 use vibank_formula::expr::Name;
 use vibank_notation::symbol;
 

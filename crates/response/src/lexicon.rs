@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::sync::{Arc, OnceLock};
 
 use super::letters::Letters;
-use super::near::typable;
+use super::near::{ends_with_function, nearest, typable};
 use super::vocabulary::{WordPiece, Words};
 use super::{Manner, Trouble};
 use vibank_formula::expr::{Expr, Kind, Name, Notation, Substitution, Symbol};
@@ -29,6 +29,13 @@ pub(crate) enum LexiconEntry {
     Allowed(Name, Arc<Math>, bool),
     /// It may not.
     Forbidden(Name),
+}
+
+impl LexiconEntry {
+    pub(crate) fn name(&self) -> &Name {
+        let (Self::Allowed(name, ..) | Self::Forbidden(name)) = self;
+        name
+    }
 }
 
 impl Lexicon {
@@ -188,7 +195,7 @@ impl Lexicon {
 
     /// That a word is no name, with the name that is nearest to it or all that there are.
     pub(crate) fn unknown(&self, word: &str) -> Trouble {
-        let near = self.words().nearest(word);
+        let near = nearest(self.words().allowed(), word);
         let letters = match near {
             Some(_) => Vec::new(),
             None => self.listed(),
@@ -209,7 +216,9 @@ impl Lexicon {
 
     /// Whether a run of letters ends with a function for which the number after it is the argument, `sin2θ`.
     pub(crate) fn ends_with_function(&self, run: &str, behind: &str) -> bool {
-        self.words().ends_with_function(run, behind)
+        let digits = behind.trim_start_matches(|next: char| next.is_ascii_digit());
+        let number = &behind[..behind.len() - digits.len()];
+        ends_with_function(run, number) && !self.knows(&format!("{run}{number}"))
     }
 
     /// Whether a spelling is that of a name or function.

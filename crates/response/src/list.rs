@@ -5,7 +5,7 @@ use super::frame::{balanced, groups, is_transposed_name};
 use super::labels::{by_indices, in_order};
 use super::layout::{has_signed_gap, laid_out, spaced};
 use super::parser::Parser;
-use super::vocabulary::is_function;
+use super::words::is_function;
 use super::{Lexicon, MAX_DEPTH, MAX_LENGTH, Manner, Trouble, Typed, TypedError, read};
 use vibank_formula::expr::Expr;
 use vibank_formula::unit::Unit;

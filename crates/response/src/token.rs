@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 use std::sync::Arc;
 
 use super::TypedError;
-use super::vocabulary::Powered;
+use super::words::Powered;
 use vibank_dynamics::numerics::Rational;
 use vibank_formula::expr::{Expr, Function, Name};
 use vibank_formula::unit::{Decimal, Unit};

@@ -2,12 +2,17 @@
 
 use std::collections::BTreeMap;
 
-use super::letters::{Letters, combining, dotted, greek_word};
+use super::customary::{
+    CustomaryRate, DECAY_RATES, bare_frequency, decay_rate, indexed_frequencies, length,
+    natural_frequency, velocities,
+};
+use super::letters::Letters;
 use super::lexicon::LexiconEntry;
 use super::near::typable;
-use super::words::VELOCITIES;
+use super::spellings::{first_rates, in_other_case, latin, others, rates, second_rates, undotted};
+use super::words::{ALIASES, BARE, INFINITY, POWERS, Powered};
 use vibank_formula::expr::{Constant, Expr, Function, Kind, Name};
-use vibank_notation::{Math, symbol};
+use vibank_notation::Math;
 
 /// The words that a response may use.
 #[derive(Debug, Default)]
@@ -50,21 +55,15 @@ pub(crate) enum WordSense {
     NotAllowed,
 }
 
-/// A power that is written as a function.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Powered {
-    /// `pow(base, exponent)`.
-    Any,
-    /// `cbrt(base)`.
-    CubeRoot,
-    /// `root(base)`, `nthroot(base, degree)`.
-    Root,
-    /// `complex(real, imaginary)`, which is not a power.
-    Complex,
-    /// `polar(modulus, angle)`.
-    Polar,
-    /// `Rational(1, 2)`.
-    Quotient,
+impl WordSense {
+    fn of_name(name: &Name) -> Self {
+        Self::Leaf(Expr::name(name.clone()))
+    }
+
+    /// A time derivative of a name.
+    fn of_rate(name: &Name, order: u8) -> Self {
+        Self::Leaf(Expr::name(name.clone()).prime(order))
+    }
 }
 
 /// A word within a run of letters.
@@ -75,148 +74,6 @@ pub(crate) struct WordPiece {
     pub(crate) end: usize,
     /// Whether it is spelled with the primes that follow.
     pub(crate) takes_primes: bool,
-}
-
-/// The functions that people type under other names than files do.
-pub(crate) const ALIASES: &[(&str, Function)] = &[
-    ("arcsin", Function::Asin),
-    ("arccos", Function::Acos),
-    ("arctan", Function::Atan),
-    ("arctg", Function::Atan),
-    ("arctan2", Function::Atan2),
-    ("Arctan2", Function::Atan2),
-    ("ArcTan2", Function::Atan2),
-    ("ATAN2", Function::Atan2),
-    ("arctg2", Function::Atan2),
-    ("Arctan", Function::Atan),
-    ("ArcTan", Function::Atan),
-    ("ARCTAN", Function::Atan),
-    ("ARCSIN", Function::Asin),
-    ("ARCCOS", Function::Acos),
-    ("ATAN", Function::Atan),
-    ("ASIN", Function::Asin),
-    ("ACOS", Function::Acos),
-    ("ArcSin", Function::Asin),
-    ("ArcCos", Function::Acos),
-    ("fabs", Function::Abs),
-    ("Abs", Function::Abs),
-    ("ABS", Function::Abs),
-    ("tg", Function::Tan),
-    ("arsinh", Function::Asinh),
-    ("arcosh", Function::Acosh),
-    ("artanh", Function::Atanh),
-    ("sgn", Function::Sign),
-    ("signum", Function::Sign),
-    // French and German.
-    ("racine", Function::Sqrt),
-    ("Racine", Function::Sqrt),
-    ("Wurzel", Function::Sqrt),
-    ("wurzel", Function::Sqrt),
-    ("Re", Function::Re),
-    ("Im", Function::Im),
-    ("real", Function::Re),
-    ("imag", Function::Im),
-];
-
-/// Whether a word is a function, also one that files do not have.
-pub(crate) fn is_function(word: &str) -> bool {
-    Function::of_name(word).is_some()
-        || ALIASES.iter().any(|(alias, _)| *alias == word)
-        || POWERS.iter().any(|(name, _)| *name == word)
-}
-
-/// What stands for infinity, in words.
-const INFINITY: &[&str] = &[
-    "inf",
-    "Inf",
-    "INF",
-    "infinity",
-    "Infinity",
-    "infini",
-    "infinito",
-    "unendlich",
-    "oo",
-    "infty",
-];
-
-/// Powers that are written as functions.
-const POWERS: &[(&str, Powered)] = &[
-    ("pow", Powered::Any),
-    ("power", Powered::Any),
-    ("Power", Powered::Any),
-    ("POWER", Powered::Any),
-    ("POTENZ", Powered::Any),
-    ("PUISSANCE", Powered::Any),
-    ("POTENCIA", Powered::Any),
-    ("POTENZA", Powered::Any),
-    ("Rational", Powered::Quotient),
-    ("Fraction", Powered::Quotient),
-    ("cbrt", Powered::CubeRoot),
-    ("root", Powered::Root),
-    ("nroot", Powered::Root),
-    ("nthroot", Powered::Root),
-    ("complex", Powered::Complex),
-    ("Complex", Powered::Complex),
-    ("polar", Powered::Polar),
-    ("rect", Powered::Polar),
-    ("surd", Powered::Root),
-    ("Surd", Powered::Root),
-];
-
-/// Functions that can stand within a run of letters, without a bracket after them.
-pub(crate) const BARE: &[Function] = &[
-    Function::Sin,
-    Function::Cos,
-    Function::Tan,
-    Function::Asin,
-    Function::Acos,
-    Function::Atan,
-    Function::Sinh,
-    Function::Cosh,
-    Function::Tanh,
-    Function::Asinh,
-    Function::Acosh,
-    Function::Atanh,
-    Function::Exp,
-    Function::Ln,
-    Function::Log10,
-    Function::Sqrt,
-    Function::Sign,
-];
-
-/// What is written below the letter of a natural frequency.
-const INDICES: [&str; 4] = ["0", "n", "o", "N"];
-
-/// The only natural frequency among names, `ω_n`, if it may be used.
-fn natural_frequency(entries: &[LexiconEntry]) -> Option<&Name> {
-    let is_natural = |entry: &&LexiconEntry| {
-        let (LexiconEntry::Allowed(name, ..) | LexiconEntry::Forbidden(name)) = entry;
-        let spelling = Letters::spelling(name.as_str()).unwrap_or_default();
-        spelling
-            .strip_prefix("omega")
-            .is_some_and(|index| INDICES.contains(&index))
-    };
-    let mut found = entries.iter().filter(is_natural);
-    match (found.next()?, found.next()) {
-        (LexiconEntry::Allowed(name, ..), None) => Some(name),
-        _ => None,
-    }
-}
-
-/// The letter of the decay rate.
-pub(crate) const DECAY_RATES: [&str; 2] = ["lambda", "lam"];
-
-/// What the decay rate λ is in the damping ratio and the natural frequency, `ζ ω_n`, if both may be used.
-fn decay_rate(entries: &[LexiconEntry]) -> Option<Expr> {
-    const RATIOS: [&str; 2] = ["zeta", "xi"];
-    let is_ratio = |name: &Name| RATIOS.contains(&name.as_str());
-    let ratio = entries.iter().find_map(|entry| match entry {
-        LexiconEntry::Allowed(name, ..) => Some(name).filter(|name| is_ratio(name)),
-        LexiconEntry::Forbidden(_) => None,
-    })?;
-    let frequency = natural_frequency(entries)?;
-    let [ratio, frequency] = [ratio, frequency].map(|name| Expr::name(name.clone()));
-    Some(ratio * frequency)
 }
 
 impl Words {
@@ -237,16 +94,20 @@ impl Words {
         }
         words.add_lengths();
         words.add_velocities();
-        words.add_rates();
-        words.add_bare_frequency(entries);
+        words.add_first_rates();
+        if let Some(name) = bare_frequency(entries) {
+            for word in ["omega", "w"] {
+                words.offer(word, &WordSense::of_name(name));
+            }
+        }
         if let Some(name) = natural_frequency(entries) {
-            words.add_indices_of_frequency(name);
+            for word in indexed_frequencies() {
+                words.offer(&word, &WordSense::of_name(name));
+            }
         }
         if let Some(rate) = decay_rate {
             for word in DECAY_RATES {
-                if !words.knows(word) {
-                    words.add(word, WordSense::Leaf(rate.clone()), 0);
-                }
+                words.offer(word, &WordSense::Leaf(rate.clone()));
             }
         }
         words
@@ -259,88 +120,23 @@ impl Words {
         words
     }
 
-    /// `M` for m and `k1` for K₁, as telephones and shouting have them, where the item has no such name. The time, the
-    /// constants, and the Greek letters whose capitals mean something else stay as they are.
+    /// The names in the other case, where the item has no such name.
     fn add_other_case(&mut self, entries: &[LexiconEntry]) {
-        const OWN_SENSE: [char; 8] = ['t', 'T', 'e', 'E', 'i', 'I', 'j', 'J'];
         for entry in entries {
             let LexiconEntry::Allowed(name, symbol, is_moving) = entry else {
                 continue;
             };
             let spellings = [name.as_str(), &symbol.plain()].map(Letters::spelling);
             for spelling in spellings.into_iter().flatten() {
-                let mut chars = spelling.chars();
-                let first = chars.next().unwrap_or_default();
-                // Capitals that mean something else in this field, and those of the constants.
-                const OTHERS: [&str; 5] = ["omega", "delta", "sigma", "gamma", "pi"];
-                let stem = spelling.trim_end_matches(|last: char| last.is_ascii_digit());
-                let is_greek = greek_word(stem).is_some() && !OTHERS.contains(&stem);
-                let is_index = || chars.as_str().bytes().all(|byte| byte.is_ascii_digit());
-                let is_letter = is_greek || is_index();
-                let other = if first.is_ascii_uppercase() {
-                    first.to_ascii_lowercase()
-                } else {
-                    first.to_ascii_uppercase()
-                };
-                let word = format!("{other}{}", chars.as_str());
-                if !is_letter || !is_greek && OWN_SENSE.contains(&first) || self.knows(&word) {
+                let Some(word) = in_other_case(&spelling).filter(|word| !self.knows(word)) else {
                     continue;
-                }
-                self.add(&word, WordSense::Leaf(Expr::name(name.clone())), 0);
+                };
+                self.add(&word, WordSense::of_name(name), 0);
                 let orders: &[u8] = if *is_moving { &[1, 2] } else { &[] };
                 for order in orders {
-                    let rate = WordSense::Leaf(Expr::name(name.clone()).prime(*order));
-                    for rate_word in rates(&word, *order) {
-                        self.add(&rate_word, rate.clone(), 0);
+                    for rate in rates(&word, *order) {
+                        self.add(&rate, WordSense::of_rate(name, *order), 0);
                     }
-                }
-            }
-        }
-    }
-
-    /// `ω` for the natural frequency `ω_n` where the item has no other frequency of that letter and no angle whose rate it
-    /// may be.
-    fn add_bare_frequency(&mut self, entries: &[LexiconEntry]) {
-        const ANGLES: [&str; 3] = ["theta", "phi", "alpha"];
-        let mut only = None;
-        for entry in entries {
-            let (name, is_moving) = match entry {
-                LexiconEntry::Allowed(name, _, is_moving) => (name, *is_moving),
-                LexiconEntry::Forbidden(name) => (name, false),
-            };
-            let spelling = Letters::spelling(name.as_str()).unwrap_or_default();
-            let is_angle = ANGLES.iter().any(|angle| spelling.starts_with(angle));
-            if is_moving && is_angle {
-                return;
-            }
-            let Some(index) = ["omega", "Omega", "w"]
-                .iter()
-                .find_map(|letter| spelling.strip_prefix(letter))
-            else {
-                continue;
-            };
-            let is_natural = spelling.starts_with("omega") && INDICES.contains(&index);
-            let is_same = only.is_none_or(|own| own == name);
-            if !is_natural || !is_same || matches!(entry, LexiconEntry::Forbidden(_)) {
-                return;
-            }
-            only = Some(name);
-        }
-        let Some(name) = only else { return };
-        for word in ["omega", "w"] {
-            if !self.knows(word) {
-                self.add(word, WordSense::Leaf(Expr::name(name.clone())), 0);
-            }
-        }
-    }
-
-    /// `ω_0` for the natural frequency `ω_n`, and the other way round.
-    fn add_indices_of_frequency(&mut self, name: &Name) {
-        for letter in ["omega", "w"] {
-            for index in INDICES {
-                let word = format!("{letter}{index}");
-                if !self.knows(&word) {
-                    self.add(&word, WordSense::Leaf(Expr::name(name.clone())), 0);
                 }
             }
         }
@@ -401,7 +197,7 @@ impl Words {
         if !self.allowed.contains(&shown) {
             self.allowed.push(shown);
         }
-        let sense = WordSense::Leaf(Expr::name(name.clone()));
+        let sense = WordSense::of_name(name);
         let own = Letters::spelling(name.as_str()).unwrap_or_default();
         self.replace(&own, sense.clone());
         if is_moving {
@@ -433,65 +229,11 @@ impl Words {
                 }
             }
         }
-        let printed = Letters::spelling(&math.plain());
-        let usual = Letters::spelling(&symbol(name.as_str()).plain());
-        let lambda = (name.as_str() == "lam").then(|| "lambda".to_owned());
-        // As often misspelled as not.
-        let is_lambda = own.starts_with("lam");
-        let misspelled =
-            is_lambda.then(|| own.replacen("lambda", "lam", 1).replacen("lam", "lamda", 1));
-        // The letter that looks like it, `w0` for ω₀.
-        let latin = [Some(&own), printed.as_ref()].map(|spelling| {
-            let rest = spelling?.strip_prefix("omega")?;
-            Some(format!("w{rest}"))
-        });
-        self.latin.extend(latin.iter().flatten().cloned());
-        let ell = printed
-            .as_deref()
-            .and_then(|printed| printed.strip_prefix("ell"));
-        let ell = match ell {
-            Some(rest) => Some(format!("l{rest}")),
-            // `\ell` for a letter that is printed l.
-            None => own
-                .strip_prefix('l')
-                .filter(|rest| rest.bytes().all(|byte| byte.is_ascii_digit()))
-                .map(|rest| format!("ell{rest}")),
-        };
-        // `varepsilon` without its backslash.
-        let varied = printed.as_deref().filter(|printed| {
-            let mut varied = ["epsilon", "phi", "theta", "rho"].iter();
-            varied.any(|letter| printed.starts_with(letter))
-        });
-        let varied = varied.map(|printed| format!("var{printed}"));
-        // `EA` for AE, two letters that are one name.
-        let turned = match own.as_bytes() {
-            [a, b] if a.is_ascii_uppercase() && b.is_ascii_uppercase() => {
-                Some([*b, *a].map(char::from).into_iter().collect::<String>())
-            }
-            _ => None,
-        };
-        // `Dm` and `delta_m` for Δm.
-        let difference = |letter: &str| {
-            let rest = printed.as_deref()?.strip_prefix("Delta")?;
-            Some(format!("{letter}{rest}"))
-        };
-        let (difference, small) = (difference("D"), difference("delta"));
-        let [latin, of_printed] = latin;
-        let others = [
-            printed.clone(),
-            usual,
-            lambda,
-            misspelled,
-            latin,
-            of_printed,
-            ell,
-            varied,
-            difference,
-            small,
-            turned,
-        ];
-        for spelling in others.into_iter().flatten() {
-            if spelling != own && !self.is_taken(&spelling) {
+        self.latin.extend(latin(&own));
+        self.latin
+            .extend(Letters::spelling(&plain).as_deref().and_then(latin));
+        for spelling in others(name, &own, math) {
+            if !self.is_taken(&spelling) {
                 self.replace(&spelling, sense.clone());
                 if is_moving {
                     self.add_dotted(&spelling, name);
@@ -651,6 +393,13 @@ impl Words {
         })
     }
 
+    /// Adds a word that is not known.
+    fn offer(&mut self, spelling: &str, sense: &WordSense) {
+        if !self.knows(spelling) {
+            self.add(spelling, sense.clone(), 0);
+        }
+    }
+
     fn add(&mut self, spelling: &str, sense: WordSense, primes: u8) {
         let Some(&first) = spelling.as_bytes().first() else {
             return;
@@ -686,60 +435,35 @@ impl Words {
     /// `L` for ℓ and `L1` for ℓ₁, where no name of the item has that letter.
     fn add_lengths(&mut self) {
         let is_length = |word: &Word| {
-            let index = word.spelling.strip_prefix("ell")?;
-            let is_index = index.bytes().all(|byte| byte.is_ascii_digit());
-            let is_own = is_index && word.primes == 0 && matches!(word.sense, WordSense::Leaf(_));
-            is_own.then(|| (format!("L{index}"), word.sense.clone()))
+            let is_own = word.primes == 0 && matches!(word.sense, WordSense::Leaf(_));
+            let word_for_it = length(&word.spelling).filter(|_| is_own)?;
+            Some((word_for_it, word.sense.clone()))
         };
         let lengths: Vec<(String, WordSense)> = self.words.iter().filter_map(is_length).collect();
         for (spelling, sense) in lengths {
-            if !self.knows("L") && !self.knows(&spelling) {
-                self.add(&spelling, sense, 0);
+            if !self.knows("L") {
+                self.offer(&spelling, &sense);
             }
         }
     }
 
-    /// `v` and `a` for the velocity and the acceleration of a coordinate x, `v1` and `a1` for those of x₁, where no name
-    /// of the item has that letter and no other coordinate that index.
+    /// `v` and `a` for the velocity and the acceleration of a coordinate, where no name of the item has that letter.
     fn add_velocities(&mut self) {
-        let (coordinates, rates) = VELOCITIES;
-        let of = |(spelling, name): &(String, Name)| {
-            let index = coordinates
-                .iter()
-                .find_map(|letter| spelling.strip_prefix(letter))?;
-            let is_index = index.bytes().all(|byte| byte.is_ascii_digit());
-            is_index.then(|| (index.to_owned(), name.clone()))
-        };
-        let mut positions: Vec<(String, Name)> = self.moving.iter().filter_map(of).collect();
-        positions.dedup();
-        for (index, name) in &positions {
-            let is_other = |(own, other): &(String, Name)| own == index && other != name;
-            if positions.iter().any(is_other) {
-                continue;
-            }
-            for (letter, order) in rates {
-                let word = format!("{letter}{index}");
-                if !self.knows(letter) && !self.knows(&word) {
-                    let rate = Expr::name(name.clone()).prime(*order);
-                    self.add(&word, WordSense::Leaf(rate), 0);
-                }
+        for CustomaryRate { letter, word, rate } in velocities(&self.moving) {
+            if !self.knows(letter) {
+                self.offer(&word, &WordSense::Leaf(rate));
             }
         }
     }
 
     /// `xd`, `thetad`, `x1d` and `xd1`, where no name of the item is the letter d.
-    fn add_rates(&mut self) {
+    fn add_first_rates(&mut self) {
         if self.knows("d") {
             return;
         }
         for (spelling, name) in std::mem::take(&mut self.moving) {
-            let stem = spelling.trim_end_matches(|last: char| last.is_ascii_digit());
-            let digits = &spelling[stem.len()..];
-            let rate = WordSense::Leaf(Expr::name(name).prime(1));
-            for word in [format!("{spelling}d"), format!("{stem}d{digits}")] {
-                if !self.knows(&word) {
-                    self.add(&word, rate.clone(), 0);
-                }
+            for word in first_rates(&spelling) {
+                self.offer(&word, &WordSense::of_rate(&name, 1));
             }
         }
     }
@@ -747,64 +471,18 @@ impl Words {
     /// `xdot`, `xddot`, and with a subscript `xdot1`.
     fn add_dotted(&mut self, spelling: &str, name: &Name) {
         self.moving.push((spelling.to_owned(), name.clone()));
-        let stem = spelling.trim_end_matches(|last: char| last.is_ascii_digit());
-        let digits = &spelling[stem.len()..];
-        // As people call them in programs: `ddx1`, `xdd1`, `x1dd`, `D2x1`, `x1pp`; `dx` and `xp` mean other things, too.
-        let second = WordSense::Leaf(Expr::name(name.clone()).prime(2));
-        for word in [
-            format!("dd{spelling}"),
-            format!("D2{spelling}"),
-            format!("d2{spelling}"),
-            format!("{spelling}dd"),
-            format!("{spelling}pp"),
-            format!("{stem}dd{digits}"),
-            format!("{stem}pp{digits}"),
-            format!("d2{spelling}dt2"),
-        ] {
+        for word in second_rates(spelling) {
             if !self.is_taken(&word) {
-                self.add(&word, second.clone(), 0);
+                self.add(&word, WordSense::of_rate(name, 2), 0);
             }
         }
         for order in [1, 2] {
-            let sense = WordSense::Leaf(Expr::name(name.clone()).prime(order));
             let written = (order == 1).then(|| format!("d{spelling}dt"));
             for word in rates(spelling, order).into_iter().chain(written) {
-                self.add(&word, sense.clone(), 0);
+                self.add(&word, WordSense::of_rate(name, order), 0);
             }
         }
     }
-}
-
-/// A letter with its dots as words: `xdot`, `ddotx`, and with a subscript `xdot1`.
-fn rates(spelling: &str, order: u8) -> Vec<String> {
-    let stem = spelling.trim_end_matches(|last: char| last.is_ascii_digit());
-    let digits = &spelling[stem.len()..];
-    let dots: &[&str] = match order {
-        1 => &["dot"],
-        2 => &["ddot", "dotdot"],
-        _ => &[],
-    };
-    let mut words = Vec::new();
-    for dots in dots {
-        words.extend([format!("{spelling}{dots}"), format!("{dots}{spelling}")]);
-        words.extend((!digits.is_empty()).then(|| format!("{stem}{dots}{digits}")));
-    }
-    words
-}
-
-/// The spelling of a symbol with dots over its letter, and how many.
-fn undotted(symbol: &str) -> Option<(String, u8)> {
-    let (mut plain, mut order) = (String::new(), 0);
-    for char in symbol.chars() {
-        if let Some(dots) = combining(char) {
-            order = dots;
-            continue;
-        }
-        let (char, dots) = dotted(char).unwrap_or((char, 0));
-        order = order.max(dots);
-        plain.push(char);
-    }
-    (order > 0).then_some((Letters::spelling(&plain)?, order))
 }
 
 /// What a word costs in a split; the least sum wins.

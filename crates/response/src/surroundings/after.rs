@@ -5,7 +5,7 @@ use super::behind_word;
 use crate::counts::in_words;
 use crate::letters::{combining, greek_word};
 use crate::signs::{is_apostrophe, is_minus};
-use crate::vocabulary::ALIASES;
+use crate::words::ALIASES;
 use crate::words::{ASIDES, ENDS, OF_MINUS, REASONS, REMARKS, SEALS, TRAILS, TURNING, WORDS};
 use vibank_formula::expr::Function;
 use vibank_formula::unit::Unit;

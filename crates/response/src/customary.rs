@@ -1,0 +1,133 @@
+//! Letters that the field uses by custom where an item calls the same otherwise: ω_0 for ω_n, λ for ζ ω_n, `v` for ẋ,
+//! `L` for ℓ.
+
+use super::letters::Letters;
+use super::lexicon::LexiconEntry;
+use vibank_formula::expr::{Expr, Name};
+
+/// Coordinates, and the letters of their rates with the order of each.
+type CustomaryRates = (&'static [&'static str], &'static [(&'static str, u8)]);
+
+/// Letters and words for the rates of positions: they are read wherever the item has no such letter.
+const VELOCITIES: CustomaryRates = (
+    &["x", "y", "z", "s", "u"],
+    &[("v", 1), ("a", 2), ("vel", 1), ("accel", 2)],
+);
+
+/// Letters for the rates of other coordinates by the custom of the field. They mean other things, too, `ω` a natural
+/// frequency: they are rates only where nothing else can be read.
+pub(crate) const RATES: &[CustomaryRates] = &[
+    (&["theta", "phi"], &[("omega", 1), ("alpha", 2)]),
+    (&["q"], &[("i", 1)]),
+];
+
+/// The letter of the decay rate.
+pub(crate) const DECAY_RATES: [&str; 2] = ["lambda", "lam"];
+
+/// What is written below the letter of a natural frequency.
+const INDICES: [&str; 4] = ["0", "n", "o", "N"];
+
+/// The only natural frequency among names, `ω_n`, if it may be used.
+pub(crate) fn natural_frequency(entries: &[LexiconEntry]) -> Option<&Name> {
+    let is_natural = |entry: &&LexiconEntry| {
+        let spelling = Letters::spelling(entry.name().as_str()).unwrap_or_default();
+        let index = spelling.strip_prefix("omega");
+        index.is_some_and(|index| INDICES.contains(&index))
+    };
+    let mut found = entries.iter().filter(is_natural);
+    match (found.next()?, found.next()) {
+        (LexiconEntry::Allowed(name, ..), None) => Some(name),
+        _ => None,
+    }
+}
+
+/// The natural frequency under its other indices, `ω_0` for `ω_n` and the other way round.
+pub(crate) fn indexed_frequencies() -> impl Iterator<Item = String> {
+    let letters = ["omega", "w"].into_iter();
+    letters.flat_map(|letter| INDICES.map(|index| format!("{letter}{index}")))
+}
+
+/// The natural frequency `ω_n` for which `ω` may stand, since the item has no other frequency of that letter and no angle
+/// whose rate it may be.
+pub(crate) fn bare_frequency(entries: &[LexiconEntry]) -> Option<&Name> {
+    const ANGLES: [&str; 3] = ["theta", "phi", "alpha"];
+    let mut only = None;
+    for entry in entries {
+        let name = entry.name();
+        let is_moving = matches!(entry, LexiconEntry::Allowed(_, _, true));
+        let spelling = Letters::spelling(name.as_str()).unwrap_or_default();
+        let is_angle = ANGLES.iter().any(|angle| spelling.starts_with(angle));
+        if is_moving && is_angle {
+            return None;
+        }
+        let mut letters = ["omega", "Omega", "w"].iter();
+        let Some(index) = letters.find_map(|letter| spelling.strip_prefix(letter)) else {
+            continue;
+        };
+        let is_natural = spelling.starts_with("omega") && INDICES.contains(&index);
+        let is_same = only.is_none_or(|own| own == name);
+        if !is_natural || !is_same || matches!(entry, LexiconEntry::Forbidden(_)) {
+            return None;
+        }
+        only = Some(name);
+    }
+    only
+}
+
+/// What the decay rate λ is in the damping ratio and the natural frequency, `ζ ω_n`, if both may be used.
+pub(crate) fn decay_rate(entries: &[LexiconEntry]) -> Option<Expr> {
+    const RATIOS: [&str; 2] = ["zeta", "xi"];
+    let is_ratio = |name: &Name| RATIOS.contains(&name.as_str());
+    let ratio = entries.iter().find_map(|entry| match entry {
+        LexiconEntry::Allowed(name, ..) => Some(name).filter(|name| is_ratio(name)),
+        LexiconEntry::Forbidden(_) => None,
+    })?;
+    let frequency = natural_frequency(entries)?;
+    let [ratio, frequency] = [ratio, frequency].map(|name| Expr::name(name.clone()));
+    Some(ratio * frequency)
+}
+
+/// A rate by a letter of its own.
+pub(crate) struct CustomaryRate {
+    /// The letter, which means something else where the item has it.
+    pub(crate) letter: &'static str,
+    /// The letter with the index of the coordinate.
+    pub(crate) word: String,
+    pub(crate) rate: Expr,
+}
+
+/// `v` and `a` for the velocity and the acceleration of a coordinate x, `v1` and `a1` for those of x₁, of the spellings of
+/// moving names; none for an index that several coordinates have.
+pub(crate) fn velocities(moving: &[(String, Name)]) -> Vec<CustomaryRate> {
+    let (coordinates, rates) = VELOCITIES;
+    let of = |(spelling, name): &(String, Name)| {
+        let mut letters = coordinates.iter();
+        let index = letters.find_map(|letter| spelling.strip_prefix(letter))?;
+        is_index(index).then(|| (index.to_owned(), name.clone()))
+    };
+    let mut positions: Vec<(String, Name)> = moving.iter().filter_map(of).collect();
+    positions.dedup();
+    let is_only = |(index, name): &&(String, Name)| {
+        let mut others = positions.iter();
+        !others.any(|(own, other)| own == index && other != name)
+    };
+    let only = positions.iter().filter(is_only);
+    let all = only.flat_map(|(index, name)| {
+        rates.iter().map(move |(letter, order)| CustomaryRate {
+            letter,
+            word: format!("{letter}{index}"),
+            rate: Expr::name(name.clone()).prime(*order),
+        })
+    });
+    all.collect()
+}
+
+/// `L1` for the spelling of ℓ₁.
+pub(crate) fn length(spelling: &str) -> Option<String> {
+    let index = spelling.strip_prefix("ell")?;
+    is_index(index).then(|| format!("L{index}"))
+}
+
+fn is_index(text: &str) -> bool {
+    text.bytes().all(|byte| byte.is_ascii_digit())
+}
