@@ -56,7 +56,8 @@ impl Folder<'_> {
         if radicand.starts_with('(') {
             return Some((length, "sqrt"));
         }
-        self.closes = self.at + length + end_of_radicand(radicand)?;
+        let end = self.at + length + end_of_radicand(radicand)?;
+        self.roots.push(end);
         Some((length, "sqrt("))
     }
 }

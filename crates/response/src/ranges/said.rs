@@ -1,0 +1,180 @@
+//! Ranges in words: `from 0.2 to 0.5 m`, `0.2 or more`, and the words around ranges in signs.
+
+use super::marks::{Mark, Marked};
+use super::{Bounding, Condition, Group, Said};
+use crate::surroundings::behind_word;
+use crate::wording::is_symbol;
+use crate::words::{CONDITIONS, ENDS, LIMITS, ONWARDS, RANGES, UNBOUNDED, VERBS};
+use crate::{Passage, Wording};
+
+/// A text without the words after it that say of the ends of a range whether they are left out, and what they say.
+pub(crate) fn without_said_ends(text: &str) -> (&str, Option<bool>) {
+    let end = text.trim_end_matches(['.', ' ']);
+    let bare = end.strip_suffix(')').unwrap_or(end);
+    let said = ENDS.iter().find_map(|(words, is_out)| {
+        let before = bare.strip_suffix(words)?;
+        let before = if bare.len() < end.len() {
+            before.strip_suffix('(')?
+        } else {
+            before.strip_suffix([' ', ','])?
+        };
+        Some((before.trim_end_matches([' ', ',']), Some(*is_out)))
+    });
+    said.unwrap_or((text, None))
+}
+
+/// What comes after words for a condition, and after words of the question before those: `for all μ ≥ 0.2`,
+/// `it stays if μ ≥ 0.2`.
+pub(crate) fn condition_said<'t>(text: &'t str, asked: &Wording) -> &'t str {
+    let joint = [" if ", " when ", " for "].iter().find_map(|word| {
+        let (before, behind) = text.split_once(word)?;
+        asked.covers(before).then_some(behind)
+    });
+    let text = joint.unwrap_or(text).trim_start();
+    let said = CONDITIONS.iter().find_map(|word| behind_word(text, word));
+    let said = said.unwrap_or(text);
+    // `every stiffness < 250 N/m`
+    let named = said.split_at(said.find(['<', '>', '≤', '≥']).unwrap_or_default());
+    let is_named = !named.0.split_whitespace().any(is_symbol) && asked.covers(named.0);
+    if is_named { named.1 } else { said }
+}
+
+/// Ranges in words that joints part, where no sign says what the values are.
+pub(crate) fn in_words<'t>(text: &'t str, marks: &[Marked]) -> Option<Vec<Group<'t>>> {
+    if text.contains(['<', '>', '≤', '≥', '[', ']', '∈']) {
+        return None;
+    }
+    if let Some(said) = onwards(text) {
+        return Some(vec![group(text, said)]);
+    }
+    let (mut groups, mut start) = (Vec::new(), 0);
+    let parts = |own: &&Marked| match own.mark {
+        Mark::Or => true,
+        // `between 1 and 2 and from 4 to 5`
+        Mark::And => text[own.at.end..].trim_start().starts_with("from "),
+        _ => false,
+    };
+    let ends = marks.iter().filter(parts).map(|own| own.at.clone());
+    for joint in ends.chain(std::iter::once(text.len()..text.len())) {
+        let own = text[start..joint.start].trim();
+        groups.push(group(own, range(own)?));
+        start = joint.end;
+    }
+    Some(groups)
+}
+
+fn group<'t>(typed: &'t str, said: Said<'t>) -> Group<'t> {
+    let units = Vec::new();
+    Group {
+        typed: Passage::of(typed),
+        conditions: vec![Condition { units, said }],
+    }
+}
+
+/// `0.2 or more`, `from 0.2 on`, `x from 0.2 to infinity`, `max. 0.2`, `x must be 0.2 or less`.
+fn onwards(text: &str) -> Option<Said<'_>> {
+    let chain = |lead, is_less, bound| Said::Chain {
+        sides: vec![Passage::of(lead), Passage::of(bound)],
+        signs: vec![Bounding {
+            is_less,
+            is_open: false,
+        }],
+    };
+    let from = text.split_once("from ").and_then(|(lead, bound)| {
+        let bound = UNBOUNDED.iter().find_map(|end| bound.strip_suffix(end))?;
+        Some(chain(lead, false, bound))
+    });
+    // `x must be 0.2`; `is` has become an equals sign.
+    let parted = |bound| {
+        let verbs = VERBS.iter().map(|verb| format!(" {verb} "));
+        let mut signs = verbs.chain(["=".to_owned()]);
+        signs
+            .find_map(|sign| str::split_once(bound, &sign))
+            .unwrap_or(("", bound))
+    };
+    let limit = || {
+        let mut found = LIMITS.iter();
+        found.find_map(|(word, is_less)| {
+            let bound = behind_word(text, word)?;
+            let is_number = bound
+                .trim_start()
+                .starts_with(|first: char| first.is_ascii_digit());
+            is_number.then(|| chain("", *is_less, bound))
+        })
+    };
+    let either_way = || {
+        let bound = text
+            .rsplit_once(['=', ':'])
+            .map_or(text, |(_, bound)| bound);
+        let bound = bound
+            .trim()
+            .strip_prefix('±')
+            .filter(|bound| !bound.contains('±'))?;
+        Some(Said::Within {
+            bound: Passage::of(bound),
+            open: None,
+        })
+    };
+    from.or_else(|| {
+        let mut found = ONWARDS.iter();
+        found.find_map(|(words, is_less)| {
+            let (lead, bound) = parted(text.strip_suffix(words)?);
+            Some(chain(lead, *is_less, bound))
+        })
+    })
+    .or_else(limit)
+    .or_else(either_way)
+}
+
+/// `from 0.2 to 0.5 m`, `x between 0.2 and 0.5`, `0.2 … 0.5` and `0.2-0.5`.
+fn range(text: &str) -> Option<Said<'_>> {
+    const SIGNS: [&str; 4] = [" to ", "…", "...", ".."];
+    let in_words = RANGES.iter().find_map(|(word, join)| {
+        let (lead, ends) = text.split_once(word)?;
+        let (low, high) = ends.split_once(join)?;
+        Some((lead, low, high))
+    });
+    let in_signs = || {
+        let (lead, ends) = text.rsplit_once(['=', ':']).unwrap_or(("", text));
+        let is_value = |end: &str| {
+            let unsigned = end.trim().trim_start_matches(['-', '+']);
+            unsigned.starts_with(|first: char| first.is_ascii_digit() || first == '.')
+        };
+        let joined = SIGNS.iter().find_map(|sign| ends.split_once(sign));
+        let (low, high) = joined.or_else(|| dashed(ends.trim()))?;
+        (is_value(low) && is_value(high)).then_some((lead, low, high))
+    };
+    let (lead, low, high) = in_words.or_else(in_signs)?;
+    // `from 0.2 (excluded) to 0.5 (included)`
+    let ends = [low, high].map(without_said_ends);
+    let open = match ends {
+        [(_, Some(low)), (_, Some(high))] => Some([low, high]),
+        [(_, None), (_, None)] => None,
+        _ => return None,
+    };
+    let lead = lead.trim().trim_end_matches(['=', ':']);
+    let mut verbs = VERBS.iter();
+    let lead = Passage::of(
+        verbs
+            .find_map(|verb| lead.strip_suffix(verb))
+            .unwrap_or(lead),
+    );
+    Some(Said::Interval {
+        subject: Some(lead).filter(|lead| !lead.is_empty()),
+        ends: ends.map(|(end, _)| Passage::of(end)),
+        open,
+    })
+}
+
+/// The values around a dash, `0.2 m-0.5 m`, which is no sign of an exponent.
+fn dashed(text: &str) -> Option<(&str, &str)> {
+    let joins = |(at, _): &(usize, &str)| {
+        let before = text[..*at].trim_end();
+        let is_exponent = before.strip_suffix(['e', 'E']).is_some_and(|before| {
+            before.ends_with(|last: char| last.is_ascii_digit() || last == '.')
+        });
+        before.ends_with(char::is_alphanumeric) && !is_exponent
+    };
+    let (at, dash) = text.match_indices('-').find(joins)?;
+    Some((&text[..at], &text[at + dash.len()..]))
+}
