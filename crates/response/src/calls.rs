@@ -1,7 +1,9 @@
 //! Functions and roots, with brackets and without.
 
-use super::parser::{Parser, Result, has_unit, is_time, number, uses_time};
+use super::composition::{has_unit, number, uses_time};
+use super::parser::{Parser, Result};
 use super::signs::DECIMAL;
+use super::token::is_time;
 use super::token::{Item, Token};
 use super::ways::Doubtful;
 use super::words::Powered;

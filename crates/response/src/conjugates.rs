@@ -1,8 +1,9 @@
 //! Sums, and `c.c.` in them: the complex conjugates of the terms before it, as twice their real part.
 
 use super::TypedError;
+use super::composition::number;
 use super::lexer::Lexer;
-use super::parser::{Parser, Result, number};
+use super::parser::{Parser, Result};
 use super::token::Item;
 use super::words::CONJUGATES;
 use vibank_formula::expr::{Expr, Function, Kind, Operator};

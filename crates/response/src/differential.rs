@@ -1,6 +1,6 @@
 //! Time derivatives as quotients of differentials, `dx/dt`, `\frac{d^2 x}{dt^2}`, and as functions, `diff(x, t, 2)`.
 
-use super::letters::{Letters, combining, dotted, greek_word};
+use super::letters::{Letters, combining, dotted, greek_word, name_of_command};
 use vibank_formula::work;
 
 /// Reads a quotient of differentials at a place, `dx/dt`, `(d^2 x)/(d t^2)`, `{dx}/{dt}`: spelling of the name, order, end.
@@ -133,9 +133,9 @@ pub(crate) fn spelling(name: &str) -> Option<String> {
     let Some(word) = name.strip_prefix('\\') else {
         return Letters::spelling(name);
     };
-    let letters: String = word.chars().take_while(char::is_ascii_alphabetic).collect();
-    let rest = Letters::spelling(&word[letters.len()..]).unwrap_or_default();
-    Some(greek_word(&letters)?.to_owned() + &rest)
+    let command = name_of_command(name);
+    let rest = Letters::spelling(&word[command.len()..]).unwrap_or_default();
+    Some(greek_word(command)?.to_owned() + &rest)
 }
 
 /// What derivatives are called.

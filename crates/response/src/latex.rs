@@ -1,7 +1,8 @@
 //! LaTeX commands in responses.
 
-use super::letters::{Letters, greek_word};
+use super::letters::{Letters, greek_word, name_of_command};
 use super::lexer::Lexer;
+use super::subscript::subscript;
 use super::token::Item;
 use super::vocabulary::INITIAL;
 use super::{Trouble, TypedError};
@@ -11,21 +12,18 @@ impl Lexer<'_> {
     /// A LaTeX command.
     pub(crate) fn command(&mut self) -> Result<(), TypedError> {
         let start = self.at;
-        let name: String = self.rest()[1..]
-            .chars()
-            .take_while(char::is_ascii_alphabetic)
-            .collect();
+        let name = name_of_command(self.rest());
         if name.is_empty() {
             return self.escaped(start);
         }
         self.at += 1 + name.len();
-        if let Some(word) = greek_word(&name) {
+        if let Some(word) = greek_word(name) {
             // The space that ends a command is none.
             self.skip_space_before_letter();
             return self.run(Some((word, start)));
         }
         let sign = |char| Item::Sign(char);
-        let item = match name.as_str() {
+        let item = match name {
             "mathit" | "mathbf" | "boldsymbol" => return Ok(()),
             "mathrm" | "operatorname" | "text" | "rm" => return self.word_in_braces(),
             "frac" => Item::Fraction,
@@ -129,7 +127,7 @@ impl Lexer<'_> {
         }
         self.at = end + 1;
         while self.peek() == Some('_') {
-            self.subscript(&mut letters);
+            self.at = subscript(self.text, self.at, &mut letters);
         }
         self.words(&letters, start, end.max(self.at), 0)
     }
@@ -150,13 +148,10 @@ impl Lexer<'_> {
                     open -= 1;
                     self.at += 1;
                 }
-                '_' => self.subscript(&mut letters),
+                '_' => self.at = subscript(self.text, self.at, &mut letters),
                 '\\' if letters.text.is_empty() => {
-                    let name: String = self.rest()[1..]
-                        .chars()
-                        .take_while(char::is_ascii_alphabetic)
-                        .collect();
-                    let Some(word) = greek_word(&name) else {
+                    let name = name_of_command(self.rest());
+                    let Some(word) = greek_word(name) else {
                         return self.error(Trouble::Sign, at);
                     };
                     letters.push_word(word, at);

@@ -83,6 +83,13 @@ pub(crate) fn letter(text: &str) -> Option<(usize, String)> {
     is_letter.then_some((first.len_utf8(), letters.text))
 }
 
+/// The name of the command of LaTeX that begins a text with its backslash.
+pub(crate) fn name_of_command(text: &str) -> &str {
+    let name = &text[1..];
+    let end = name.find(|char: char| !char.is_ascii_alphabetic());
+    &name[..end.unwrap_or(name.len())]
+}
+
 /// The letter that stands as a subscript.
 pub(crate) fn lowered(char: char) -> Option<char> {
     const LOWERED: &[(char, char)] = &[

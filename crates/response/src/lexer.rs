@@ -3,16 +3,18 @@
 use std::collections::BTreeSet;
 use std::sync::Arc;
 
-use super::differential::{behind, by_operator, called, leibniz, method, operator};
+use super::derivative::{derivative, primed, rate_by_index};
+use super::differential::{method, operator};
 use super::digits::fraction;
-use super::letters::{Letters, combining, dotted, greek, greek_word, sign_in_subscript};
+use super::letters::{Letters, combining, dotted, greek, greek_word, name_of_command};
 use super::signs::MIDDLE_POINT;
+use super::subscript::{subscript, subscripts};
 use super::token::{Item, Token};
 use super::vocabulary::{INITIAL, WordPiece, WordSense};
 use super::words::{MODULES, Powered};
 use super::{Lexicon, Manner, Trouble, TypedError};
 use vibank_dynamics::numerics::{Rational, gather};
-use vibank_formula::expr::{Constant, Expr, Function, Name};
+use vibank_formula::expr::{Constant, Expr, Function, Kind, Name};
 use vibank_formula::unit::Unit;
 use vibank_formula::work;
 use vibank_source::Span;
@@ -63,8 +65,8 @@ pub(crate) struct Lexer<'a> {
     pub(crate) tokens: Vec<Token>,
 }
 
-impl Lexer<'_> {
-    pub(crate) fn rest(&self) -> &str {
+impl<'a> Lexer<'a> {
+    pub(crate) fn rest(&self) -> &'a str {
         &self.text[self.at..]
     }
 
@@ -115,7 +117,6 @@ impl Lexer<'_> {
         if self.module()
             || self.product_by_point(char)
             || self.unknown_time(char)
-            || self.times_before_power_of_ten(char)
             || self.times_as_letter(char)
             || self.base_of_exponential(char)
         {
@@ -207,27 +208,22 @@ impl Lexer<'_> {
         found.is_some() || is_natural
     }
 
-    /// `1.4 x 10^-2`; whether the sign of times stands here as a letter.
-    fn times_before_power_of_ten(&mut self, char: char) -> bool {
-        let is_behind_number = matches!(self.tokens.last(), Some(token) if matches!(token.item, Item::Number(_) | Item::Sign(')')));
-        let is_it = matches!(char, 'x' | 'X')
-            && is_behind_number
-            && self.rest()[1..].trim_start().starts_with("10^");
-        if is_it {
-            self.take(1, Item::Sign('*'));
-        }
-        is_it
-    }
-
-    /// `2 x m x R^2`, where x is no letter of the answer; whether the sign of times stands here as a letter.
+    /// `1.4 x 10^-2`, and `2 x m x R^2` where x is no letter of the answer; whether the sign of times stands here as a
+    /// letter.
     fn times_as_letter(&mut self, char: char) -> bool {
-        let rest = self.rest();
-        let is_it = char == 'x'
-            && self.manner.values.is_none()
-            && self.is_spaced
-            && !self.tokens.is_empty()
-            && rest[1..].starts_with(' ')
-            && !self.lexicon.knows("x");
+        let Some(behind) = self.rest().strip_prefix(['x', 'X']) else {
+            return false;
+        };
+        let last = self.tokens.last().map(|token| &token.item);
+        let is_behind_number = matches!(last, Some(Item::Number(_) | Item::Sign(')')));
+        let is_before_power = is_behind_number && behind.trim_start().starts_with("10^");
+        let is_it = is_before_power
+            || char == 'x'
+                && self.manner.values.is_none()
+                && self.is_spaced
+                && last.is_some()
+                && behind.starts_with(' ')
+                && !self.lexicon.knows("x");
         if is_it {
             self.take(1, Item::Sign('*'));
         }
@@ -239,7 +235,7 @@ impl Lexer<'_> {
         let is_it = char == 'E' && self.rest()[1..].starts_with('^') && !self.lexicon.knows("E");
         if is_it {
             let span = Span::new(self.at, self.at + 1);
-            let kind = vibank_formula::expr::Kind::Constant(Constant::E);
+            let kind = Kind::Constant(Constant::E);
             self.take(1, Item::Leaf(Expr::new(kind, span)));
         }
         is_it
@@ -247,9 +243,8 @@ impl Lexer<'_> {
 
     /// `theta'(t)` and `x[t]` where the time is no letter of the answer; whether that time stands here.
     fn unknown_time(&mut self, char: char) -> bool {
-        use vibank_formula::expr::Kind::{Name, Prime};
         let is_moving = self.tokens.last().is_some_and(|token| {
-            matches!(&token.item, Item::Leaf(leaf) if matches!(leaf.kind(), Name(_) | Prime(..)))
+            matches!(&token.item, Item::Leaf(leaf) if matches!(leaf.kind(), Kind::Name(_) | Kind::Prime(..)))
         });
         let is_time = matches!(char, '(' | '[')
             && is_moving
@@ -303,7 +298,7 @@ impl Lexer<'_> {
             return;
         }
         let (start, mut whole) = (self.at, letters.clone());
-        self.subscripts(&mut whole);
+        self.at = subscripts(self.text, self.at, &mut whole);
         if self.at > start && self.lexicon.split(&whole, 0, primes, false).is_ok() {
             *letters = whole;
         } else {
@@ -328,7 +323,7 @@ impl Lexer<'_> {
         {
             let at = self.at;
             if char == '_' {
-                self.subscript(&mut whole);
+                self.at = subscript(self.text, self.at, &mut whole);
                 continue;
             }
             self.at += char.len_utf8();
@@ -341,21 +336,6 @@ impl Lexer<'_> {
             *letters = whole;
         } else {
             self.at = start;
-        }
-    }
-
-    /// Subscripts that come after dots or primes.
-    fn subscripts(&mut self, letters: &mut Letters) {
-        while let Some(char) = self
-            .peek()
-            .filter(|next| matches!(next, '_' | '0'..='9' | '₀'..='₉'))
-        {
-            if char == '_' {
-                self.subscript(letters);
-            } else {
-                letters.push(char, self.at, self.at);
-                self.at += char.len_utf8();
-            }
         }
     }
 
@@ -389,21 +369,18 @@ impl Lexer<'_> {
                 break;
             }
             if char == '_' {
-                self.subscript(&mut letters);
+                self.at = subscript(self.text, self.at, &mut letters);
                 continue;
             }
             if char == '\\' {
-                let name: String = self.rest()[1..]
-                    .chars()
-                    .take_while(char::is_ascii_alphabetic)
-                    .collect();
-                let Some(word) = greek_word(&name) else { break };
+                let name = name_of_command(self.rest());
+                let Some(word) = greek_word(name) else { break };
                 letters.push_word(word, at);
                 self.at += 1 + name.len();
                 self.skip_space_before_letter();
                 continue;
             }
-            if char == 'd' && at > start && self.differential_quotient().is_some() {
+            if char == 'd' && at > start && derivative(self.text, self.at, self.lexicon).is_some() {
                 break;
             }
             if char.is_ascii_digit() && self.lexicon.ends_with_function(&letters.text, self.rest())
@@ -418,7 +395,7 @@ impl Lexer<'_> {
         }
         if dots > 0 {
             // A subscript may come after the dot, as in ẋ₁.
-            self.subscripts(&mut letters);
+            self.at = subscripts(self.text, self.at, &mut letters);
         }
         if dots == 0 {
             self.letter_behind_greek(&mut letters);
@@ -443,7 +420,7 @@ impl Lexer<'_> {
                 // As Mathematica has it.
                 || rest.starts_with('I') && rest[1..].chars().next().is_none_or(is_alone) && !self.lexicon.knows("I"));
         if is_it {
-            let kind = vibank_formula::expr::Kind::Constant(Constant::ImaginaryUnit);
+            let kind = Kind::Constant(Constant::ImaginaryUnit);
             let span = Span::new(self.at, self.at + 1);
             self.take(1, Item::Leaf(Expr::new(kind, span)));
         }
@@ -456,83 +433,6 @@ impl Lexer<'_> {
         if self.rest()[spaces..].starts_with(|next: char| next.is_ascii_alphabetic()) {
             self.at += spaces;
         }
-    }
-
-    /// `_n`, `_{st}`, `_\mathrm{st}`; the subscript belongs to what stands before it.
-    pub(crate) fn subscript(&mut self, letters: &mut Letters) {
-        let length = letters.text.len();
-        self.at += 1;
-        for command in ["\\mathrm", "\\text", "\\mathit"] {
-            if self.rest().starts_with(command) {
-                self.at += command.len();
-            }
-        }
-        if let Some((sign, width)) = sign_in_subscript(self.rest()) {
-            letters.push(sign, self.at, self.at);
-            self.at += width;
-            return;
-        }
-        if self.rest().starts_with('\\') {
-            let name: String = self.rest()[1..]
-                .chars()
-                .take_while(char::is_ascii_alphabetic)
-                .collect();
-            if let Some(word) = greek_word(&name) {
-                letters.push_word(word, self.at);
-                self.at += 1 + name.len();
-            }
-            letters.join_from(length);
-            return;
-        }
-        if self.peek() != Some('{') {
-            // Without braces the letter or the digits that follow; a longer word is recognized by its names.
-            if let Some(char) = self.peek() {
-                let at = self.at;
-                self.at += char.len_utf8();
-                if !letters.push(char, at, at) {
-                    self.at = at;
-                }
-            }
-            letters.join_from(length);
-            return;
-        }
-        self.at += 1;
-        let mut inner = 0_u32;
-        while let Some(char) = self.peek() {
-            let at = self.at;
-            if let Some((sign, width)) = sign_in_subscript(self.rest()) {
-                letters.push(sign, at, at);
-                self.at += width;
-                continue;
-            }
-            self.at += char.len_utf8();
-            match char {
-                '}' if inner == 0 => break,
-                '}' => inner -= 1,
-                '{' => inner += 1,
-                _ => {}
-            }
-            if matches!(char, '{' | '}' | ',' | ' ' | '_') {
-                continue;
-            }
-            if char == '\\' {
-                let name: String = self
-                    .rest()
-                    .chars()
-                    .take_while(char::is_ascii_alphabetic)
-                    .collect();
-                self.at += name.len();
-                if let Some(word) = greek_word(&name) {
-                    letters.push_word(word, at);
-                }
-                continue;
-            }
-            if !letters.push(char, at, at) {
-                self.at = at;
-                break;
-            }
-        }
-        letters.join_from(length);
     }
 
     /// Pushes the words of a run.
@@ -559,7 +459,10 @@ impl Lexer<'_> {
         }
         let pieces = match self.lexicon.split(letters, end, primes, has_bracket) {
             Ok(pieces) => pieces,
-            Err(_) if let Some((pieces, order)) = self.rate_by_index(letters, start, end) => {
+            Err(_)
+                if let Some((pieces, order)) =
+                    rate_by_index(&self.text[start..end], letters, end, self.lexicon) =>
+            {
                 return self.pieces(pieces, primes.saturating_add(order));
             }
             Err(_) if let Some(pieces) = self.in_any_case(letters, start, end, primes) => pieces,
@@ -597,41 +500,6 @@ impl Lexer<'_> {
             return None;
         }
         self.lexicon.split_in_any_case(letters, end, primes)
-    }
-
-    /// The words of a run that ends in a rate by its index, `x_t`, `x_{tt}`, or by a letter for the prime, `c*xp`, and
-    /// the order of that rate.
-    fn rate_by_index(
-        &self,
-        letters: &Letters,
-        start: usize,
-        end: usize,
-    ) -> Option<(Vec<WordPiece>, u8)> {
-        const INDICES: [(&str, &str, u8); 7] = [
-            ("_dd", "dd", 2),
-            ("_d", "d", 1),
-            ("_tt", "tt", 2),
-            ("_{tt}", "tt", 2),
-            ("_t", "t", 1),
-            ("_{t}", "t", 1),
-            ("p", "p", 1),
-        ];
-        let typed = &self.text[start..end];
-        let (_, index, order) = INDICES.iter().find(|(own, ..)| typed.ends_with(own))?;
-        let is_prime = *index == "p";
-        if is_prime && typed.contains('_') {
-            return None;
-        }
-        let mut stem = letters.clone();
-        stem.text
-            .truncate(letters.text.len().checked_sub(index.len())?);
-        stem.cuts.retain(|(at, _)| *at < stem.text.len());
-        let pieces = self.lexicon.split(&stem, end, *order, false).ok()?;
-        let is_moving = matches!(&pieces.last()?.sense, WordSense::Leaf(leaf) if matches!(
-            leaf.kind(),
-            vibank_formula::expr::Kind::Name(name) if self.lexicon.is_moving(name)
-        ));
-        is_moving.then_some((pieces, *order))
     }
 
     /// Whether a run of letters that are not names is a unit: only after a number, and of one letter only the second.
@@ -672,10 +540,9 @@ impl Lexer<'_> {
                 WordSense::Imaginary if is_last && primes > 0 => {
                     return Err(trouble(Trouble::Sign));
                 }
-                WordSense::Imaginary if self.manner.has_imaginary_unit => Item::Leaf(Expr::new(
-                    vibank_formula::expr::Kind::Constant(Constant::ImaginaryUnit),
-                    span,
-                )),
+                WordSense::Imaginary if self.manner.has_imaginary_unit => {
+                    Item::Leaf(Expr::new(Kind::Constant(Constant::ImaginaryUnit), span))
+                }
                 WordSense::Imaginary => return Err(trouble(self.lexicon.unknown(""))),
                 WordSense::Logarithm => return Err(trouble(Trouble::Logarithm)),
                 WordSense::NotAllowed => {
@@ -700,7 +567,7 @@ impl Lexer<'_> {
             return false;
         }
         let start = self.at;
-        let Some((leaf, end)) = self.differential_quotient() else {
+        let Some((leaf, end)) = derivative(self.text, self.at, self.lexicon) else {
             return self.operator();
         };
         self.at = end;
@@ -721,35 +588,5 @@ impl Lexer<'_> {
         }
         self.take(end - self.at, Item::Rate(moving));
         true
-    }
-
-    fn differential_quotient(&self) -> Option<(Expr, usize)> {
-        let quotient = leibniz(self.text, self.at).or_else(|| behind(self.text, self.at));
-        if let Some((spelling, order, end)) = &quotient
-            && let Some(rate) = self.lexicon.rate(spelling, *order)
-        {
-            return Some((rate, *end));
-        }
-        let found = quotient
-            .or_else(|| {
-                let is_letter = self.rest().starts_with("D(") && self.lexicon.knows("D");
-                called(self.text, self.at).filter(|_| !is_letter)
-            })
-            .or_else(|| method(self.text, self.at))
-            .or_else(|| by_operator(self.text, self.at).filter(|_| !self.lexicon.knows("D")));
-        let (spelling, order, end) = found?;
-        Some((self.lexicon.dotted(&spelling, order)?, end))
-    }
-}
-
-/// A name with primes.
-fn primed(leaf: Expr, order: u8, span: Span) -> Expr {
-    match leaf.kind() {
-        _ if order == 0 => leaf,
-        vibank_formula::expr::Kind::Prime(inner, lower) => Expr::new(
-            vibank_formula::expr::Kind::Prime(inner.clone(), lower.saturating_add(order)),
-            span,
-        ),
-        _ => Expr::new(vibank_formula::expr::Kind::Prime(leaf, order), span),
     }
 }

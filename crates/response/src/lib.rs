@@ -36,15 +36,18 @@
 
 mod amount;
 mod answering;
+mod around_token;
 mod aside;
 mod before_unit;
 mod both_signs;
 mod calls;
 mod components;
+mod composition;
 mod conjugates;
 mod counts;
 mod customary;
 mod defined;
+mod derivative;
 mod determinant;
 mod differential;
 mod digits;
@@ -88,6 +91,7 @@ mod signs;
 mod spellings;
 mod stated;
 mod statements;
+mod subscript;
 mod surroundings;
 mod token;
 mod values;

@@ -1,12 +1,14 @@
 //! From tokens to formulas.
 
-use super::token::{Item, Token};
+use super::around_token::{
+    begins_fraction, is_after_constant, is_bare_behind_unit, is_doubtful_bracket, length_of_call,
+};
+use super::composition::{has_unit, is_constant, is_number, number, uses_time};
+use super::token::{Item, Token, is_time};
 use super::ways::{Doubtful, Ways};
 use super::{Chain, MAX_DEPTH, Trouble, TypedError, ValueTrouble};
 use vibank_dynamics::numerics::Rational;
-use vibank_formula::expr::{
-    Constant, Expr, Function, Kind, Name, Operator, Relation, time_derivative,
-};
+use vibank_formula::expr::{Constant, Expr, Function, Kind, Operator, Relation, time_derivative};
 use vibank_formula::unit::Unit;
 use vibank_source::Span;
 
@@ -160,7 +162,9 @@ impl<'a> Parser<'a> {
             match self.item() {
                 Some(Item::Sign('*')) => {
                     self.at += 1;
-                    self.bare_behind_unit()?;
+                    if self.units == Units::Values && is_bare_behind_unit(self.tokens, self.at) {
+                        return self.error(Trouble::Value(ValueTrouble::UnitLast));
+                    }
                     let right = self.signed()?;
                     left = Self::binary(Operator::Multiply, left, right)?;
                 }
@@ -192,7 +196,9 @@ impl<'a> Parser<'a> {
                     left = Self::binary(Operator::Multiply, left, right)?;
                 }
                 _ if self.begins_factor() => {
-                    self.bracket_behind_value()?;
+                    if self.units == Units::Values && is_doubtful_bracket(self.tokens, self.at) {
+                        return self.error(Trouble::Value(ValueTrouble::Bracketed));
+                    }
                     let right = self.power()?;
                     left = Self::binary(Operator::Multiply, left, right)?;
                 }
@@ -210,60 +216,16 @@ impl<'a> Parser<'a> {
         Self::binary(Operator::Multiply, modulus, turned)
     }
 
-    fn before(&self, places: usize) -> Option<&'a Token> {
-        self.tokens.get(self.at.checked_sub(places)?)
-    }
-
-    /// Refuses `3 m * 4`: the unit stands last.
-    fn bare_behind_unit(&self) -> Result<()> {
-        let is_unit = |token: Option<&Token>| matches!(token, Some(token) if matches!(token.item, Item::Unit(_)));
-        let is_bare =
-            matches!(self.item(), Some(Item::Number(_))) && !is_unit(self.tokens.get(self.at + 1));
-        if self.units == Units::Values && is_bare && is_unit(self.before(2)) {
-            return self.error(Trouble::Value(ValueTrouble::UnitLast));
-        }
-        Ok(())
-    }
-
-    /// Refuses a bracket of which it is not clear whether it is a factor or another value: after a unit, a number
-    /// alone after another, arithmetic after a space.
-    fn bracket_behind_value(&self) -> Result<()> {
-        let (Some(Item::Sign('(' | '[' | '{')), Some(before), true) =
-            (self.item(), self.before(1), self.units == Units::Values)
-        else {
-            return Ok(());
-        };
-        let open = self.tokens.get(self.at);
-        let inner = self.tokens.get(self.at + 1).map(|token| &token.item);
-        let behind = self.tokens.get(self.at + 2).map(|token| &token.item);
-        let is_number = matches!(inner, Some(Item::Number(_)));
-        let is_alone = is_number && matches!(behind, Some(Item::Sign(')' | ']' | '}')));
-        let is_arithmetic = is_number || matches!(inner, Some(Item::Sign('+' | '-')));
-        let is_doubtful = match before.item {
-            Item::Unit(_) => true,
-            Item::Number(_) => is_alone || is_arithmetic && open.is_some_and(|open| open.is_spaced),
-            _ => false,
-        };
-        if is_doubtful {
-            return self.error(Trouble::Value(ValueTrouble::Bracketed));
-        }
-        Ok(())
-    }
-
     /// Whether a number may stand here without a sign, as in `j100` and `2 π 0.8`.
     fn is_after_constant(&self) -> bool {
         self.is_after_imaginary_unit()
-            || self.has_units() && self.is_after_leaf(Constant::Pi) && !self.is_tight()
+            || self.has_units()
+                && is_after_constant(self.tokens, self.at, Constant::Pi)
+                && !self.is_tight()
     }
 
     fn is_after_imaginary_unit(&self) -> bool {
-        self.is_after_leaf(Constant::ImaginaryUnit)
-    }
-
-    fn is_after_leaf(&self, constant: Constant) -> bool {
-        self.before(1).is_some_and(
-            |token| matches!(&token.item, Item::Leaf(leaf) if *leaf.kind() == Kind::Constant(constant)),
-        )
+        is_after_constant(self.tokens, self.at, Constant::ImaginaryUnit)
     }
 
     /// A factor with signs in front.
@@ -432,7 +394,7 @@ impl<'a> Parser<'a> {
             // `e^-λ t` and `e^-λ·t`: by the rule the time is no part of it, as most people mean it is.
             return self.error(Trouble::Exponent);
         }
-        if !is_closed && self.begins_fraction(&exponent) {
+        if !is_closed && begins_fraction(self.tokens, self.at, &exponent) {
             // `a^1/2` is the root: nobody writes a power of 1. `a^3/2` is a³/2.
             let is_root = exponent.as_number() == Some(Rational::ONE);
             if self.ways.choose(Doubtful::Exponent, is_root) {
@@ -461,22 +423,6 @@ impl<'a> Parser<'a> {
                 && self.ways.choose(Doubtful::Exponent, false)
     }
 
-    /// Whether a number goes on as a fraction that is not whole: after it a slash and a number, without a space.
-    fn begins_fraction(&self, above: &Expr) -> bool {
-        let Some([slash, below]) = self.tokens.get(self.at..self.at + 2) else {
-            return false;
-        };
-        let (Some(above), Item::Sign('/'), Item::Number(number)) =
-            (above.as_number(), &slash.item, &below.item)
-        else {
-            return false;
-        };
-        let is_broken = above
-            .checked_div(*number)
-            .is_some_and(|fraction| !fraction.is_integer());
-        is_broken && !slash.is_spaced && !below.is_spaced
-    }
-
     pub(crate) fn primary(&mut self) -> Result<Expr> {
         let Some(item) = self.item() else {
             return self.error(Trouble::Missing);
@@ -496,7 +442,7 @@ impl<'a> Parser<'a> {
             Item::Unit(unit) => Ok(Expr::new(Kind::Measure(Rational::ONE, unit.clone()), span)),
             Item::Unread(error) => Err((**error).clone()),
             Item::Leaf(leaf) => {
-                self.skip_time(leaf);
+                self.at += length_of_call(self.tokens, self.at, leaf);
                 Ok(Expr::new(leaf.kind().clone(), span))
             }
             Item::Function(function) => self.deeper(|parser| parser.function(*function, span)),
@@ -545,30 +491,6 @@ impl<'a> Parser<'a> {
                 };
                 self.error(trouble)
             }
-        }
-    }
-
-    /// `x(t)` and `x[t]` are `x`, and `PI()` of spreadsheets is π.
-    fn skip_time(&mut self, leaf: &Expr) {
-        if *leaf.kind() == Kind::Constant(Constant::Pi)
-            && let Some([open, close]) = self.tokens.get(self.at..self.at + 2)
-            && (&open.item, &close.item) == (&Item::Sign('('), &Item::Sign(')'))
-        {
-            self.at += 2;
-            return;
-        }
-        let is_name = matches!(leaf.kind(), Kind::Name(name) if name.as_str() != "t")
-            || matches!(leaf.kind(), Kind::Prime(..));
-        if let Some([open, time, close]) = self.tokens.get(self.at..self.at + 3)
-            && is_name
-            && matches!(
-                (&open.item, &close.item),
-                (Item::Sign('('), Item::Sign(')')) | (Item::Sign('['), Item::Sign(']'))
-            )
-            && is_time(time)
-            && !open.is_spaced
-        {
-            self.at += 3;
         }
     }
 
@@ -625,44 +547,5 @@ impl<'a> Parser<'a> {
             });
         }
         Ok(expr)
-    }
-}
-
-/// Whether the time stands in a formula.
-pub(crate) fn uses_time(expr: &Expr) -> bool {
-    expr.names().uses(&Name::new("t"))
-}
-
-/// Whether this is the time.
-pub(crate) fn is_time(token: &Token) -> bool {
-    let Item::Leaf(leaf) = &token.item else {
-        return false;
-    };
-    matches!(leaf.kind(), Kind::Name(name) if name.as_str() == "t")
-}
-
-pub(crate) fn number(value: i128) -> Kind {
-    Kind::Number(Rational::new(value, 1).unwrap_or(Rational::ZERO))
-}
-
-/// Whether a unit stands in a formula.
-pub(crate) fn has_unit(expr: &Expr) -> bool {
-    let mut is_there = false;
-    expr.walk(&mut |node| is_there |= matches!(node.kind(), Kind::Measure(..)));
-    is_there
-}
-
-fn is_number(expr: &Expr) -> bool {
-    expr.as_number().is_some()
-}
-
-/// Whether a factor is a number, π, e or the imaginary unit, or arithmetic with such.
-fn is_constant(expr: &Expr) -> bool {
-    match expr.kind() {
-        Kind::Constant(_) => true,
-        Kind::Call(_, arguments) => arguments.iter().all(is_constant),
-        Kind::Negate(inner) => is_constant(inner),
-        Kind::Binary(_, left, right) => is_constant(left) && is_constant(right),
-        _ => is_number(expr),
     }
 }

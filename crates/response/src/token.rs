@@ -6,7 +6,7 @@ use std::sync::Arc;
 use super::TypedError;
 use super::words::Powered;
 use vibank_dynamics::numerics::Rational;
-use vibank_formula::expr::{Expr, Function, Name};
+use vibank_formula::expr::{Expr, Function, Kind, Name};
 use vibank_formula::unit::{Decimal, Unit};
 use vibank_source::Span;
 
@@ -66,4 +66,12 @@ pub(crate) struct Token {
     pub(crate) is_spaced: bool,
     /// The decimal that a number among values is.
     pub(crate) literal: Option<Literal>,
+}
+
+/// Whether this is the time.
+pub(crate) fn is_time(token: &Token) -> bool {
+    let Item::Leaf(leaf) = &token.item else {
+        return false;
+    };
+    matches!(leaf.kind(), Kind::Name(name) if name.as_str() == "t")
 }
