@@ -66,7 +66,7 @@ fn mark_typed(solution: &Solution<'_>, place: usize, response: &TypedResponse<'_
         Ok((marker, folded)) => bounded(|| {
             let kind = solution.template().parts[place].answer.kind();
             let mark = |response: Passage<'_>| marker.mark(response);
-            without_aside(kind, folded.passage(), mark).in_typed(&folded)
+            marked_again(kind, folded.passage(), mark).in_typed(&folded)
         }),
         Err(why) => Marking::unreadable(why),
     };
@@ -76,9 +76,8 @@ fn mark_typed(solution: &Solution<'_>, place: usize, response: &TypedResponse<'_
 /// A longer answer is no answer with something said beside it, and takes its time for each way to read it.
 const MAX_SAID: usize = 400;
 
-/// The marking of a response; where it cannot be read with what is said beside it, `… by Newton's law`, or in words,
-/// `half of k`, and is right without them, that of the answer alone.
-fn without_aside(
+/// The marking of a response; where that cannot be read, and another way to read it is right, the marking by that.
+fn marked_again(
     kind: AnswerKind,
     response: Passage<'_>,
     mark: impl Fn(Passage<'_>) -> Marking,
@@ -96,12 +95,9 @@ fn without_aside(
         return first;
     }
     let is_right = |marking: &Marking| marking.verdict == Verdict::Right;
-    let mut alone = response.without_asides().map(&mark);
-    let alone = alone.find(is_right).or_else(|| {
-        let spoken = response.in_spoken_numbers()?;
-        Some(mark(spoken.passage())).filter(is_right)
-    });
-    alone.unwrap_or(first)
+    let mut others = response.read_again();
+    let again = others.find_map(|other| Some(mark(other.passage())).filter(is_right));
+    again.unwrap_or(first)
 }
 
 /// How a response to a part is read while it is typed: this tells nothing of the key.

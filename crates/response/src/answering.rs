@@ -2,7 +2,8 @@
 //! `with k = 3 N/m we get ω = 5 rad/s`, `v = 3 m/s at x = 0`.
 
 use super::Passage;
-use super::sides::{is_word, without_arguments};
+use super::arguments::without_arguments;
+use super::sides::is_word;
 use super::signs::is_apostrophe;
 use super::statements::{label, moved, statements_by, word_at};
 use super::surroundings::behind_word;

@@ -1,11 +1,11 @@
 //! What the statements of a response say that letters are, `ζ = λ/ω_n with ω_n = √(k/m)`, and formulas with these in
 //! their place.
 
+use super::arguments::{is_initial_state, without_arguments};
 use super::customary::{DECAY_RATES, RATES};
 use super::differential::spelling;
-use super::equations::is_initial_state;
 use super::list::{cut_where, trimmed};
-use super::sides::{is_word, without_arguments};
+use super::sides::is_word;
 use super::signs::is_apostrophe;
 use super::statements::{moved, statements};
 use super::{Chain, Lexicon, Manner, Passage, Trouble, Typed, TypedError, formula_at, sides};

@@ -1,5 +1,6 @@
 //! Where the equations of a response stand, and what is typed beside one.
 
+use super::arguments::is_initial_state;
 use super::list::cut;
 use vibank_source::Span;
 
@@ -40,16 +41,6 @@ fn cut_at_and(text: &str, place: Span) -> Vec<Span> {
     }
     found.push(Span::new(from, place.range().end));
     found
-}
-
-/// Whether an equation is the state at the start, `x(0) = 0`.
-pub(crate) fn is_initial_state(equation: &str) -> bool {
-    let left = equation.split_once('=').map_or("", |(left, _)| left);
-    let name = left.trim_end().strip_suffix("(0)").unwrap_or_default();
-    name.starts_with(|first: char| first.is_alphabetic() || first == '\\')
-        && name
-            .chars()
-            .all(|char| char.is_alphanumeric() || "_'\"\\{} \u{307}\u{308}".contains(char))
 }
 
 /// A number that an equation bears, `(2) m x'' = …`, `2. m x'' = …` or `m x'' = … (2)`.

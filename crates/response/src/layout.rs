@@ -16,7 +16,7 @@ pub(crate) fn laid_out(text: &str) -> String {
     without_brackets_of_unit(plain + unit)
 }
 
-/// `m 0 / 0 k` with semicolons between its rows, which are as many as have entries; all places stay.
+/// `m 0 / 0 k` with semicolons between its rows, as many rows as each has entries; all places stay.
 fn slashed(text: &str) -> Option<String> {
     let start = text.find('=').map_or(0, |label| label + 1);
     let rows: Vec<&str> = text[start..].split(" / ").collect();

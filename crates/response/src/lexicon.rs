@@ -57,13 +57,7 @@ impl Lexicon {
     /// The same with one name more, which does not move with time.
     #[must_use]
     pub fn with(&self, name: &Name, math: impl Into<Arc<Math>>) -> Self {
-        let mut lexicon = Self {
-            entries: self.entries.clone(),
-            symbols: self.symbols.clone(),
-            moving: self.moving.clone(),
-            words: OnceLock::new(),
-            in_any_case: OnceLock::new(),
-        };
+        let mut lexicon = self.unworded();
         lexicon.allow(name, math, false);
         lexicon
     }
@@ -71,19 +65,24 @@ impl Lexicon {
     /// The same with more names, which move with time.
     #[must_use]
     pub(crate) fn with_moving(&self, names: impl Iterator<Item = Name>) -> Self {
-        let mut lexicon = Self {
-            entries: self.entries.clone(),
-            symbols: self.symbols.clone(),
-            moving: self.moving.clone(),
-            words: OnceLock::new(),
-            in_any_case: OnceLock::new(),
-        };
+        let mut lexicon = self.unworded();
         for name in names {
             let own = self.symbols.get(&name).cloned();
             let own = own.unwrap_or_else(|| Arc::new(symbol(name.as_str())));
             lexicon.allow(&name, own, true);
         }
         lexicon
+    }
+
+    /// The same names before their words were made out.
+    fn unworded(&self) -> Self {
+        Self {
+            entries: self.entries.clone(),
+            symbols: self.symbols.clone(),
+            moving: self.moving.clone(),
+            words: OnceLock::new(),
+            in_any_case: OnceLock::new(),
+        }
     }
 
     /// The name of this spelling that may not be used, by itself or as it is printed.

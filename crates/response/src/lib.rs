@@ -34,8 +34,10 @@
 //! rules have it. A text has all its other readings, too: a kind takes one where only that has the
 //! right dimension, and asks back where one is right that was not taken.
 
+mod again;
 mod amount;
 mod answering;
+mod arguments;
 mod around_token;
 mod aside;
 mod before_unit;

@@ -11,9 +11,9 @@ use super::reworded::{self, Reworded};
 use super::stated::Stated;
 use super::words::{CONCLUDING, REMARKS};
 use super::{
-    Chain, Lexicon, Manner, Phrase, Typed, TypedError, Wording, both_signs, components, counts,
-    distance, entry_units, equated, equations, free_letters, layout, list, matrix_form, ranks,
-    related, relation, sides,
+    Chain, Lexicon, Manner, Phrase, Typed, TypedError, Wording, again, arguments, both_signs,
+    components, counts, distance, entry_units, equated, equations, free_letters, layout, list,
+    matrix_form, ranks, related, relation, sides,
 };
 use vibank_formula::expr::{Expr, Kind, Name};
 use vibank_formula::unit::Unit;
@@ -219,7 +219,7 @@ impl<'t> Passage<'t> {
 
     /// Whether an equation is the state at the start, `x(0) = 0`.
     pub fn is_initial_state(self) -> bool {
-        equations::is_initial_state(self.0)
+        arguments::is_initial_state(self.0)
     }
 
     /// The pieces of a function, each on a line or after a semicolon, `…, t < 1; …, t >= 1` or `… if t < 1 otherwise …`;
@@ -369,16 +369,11 @@ impl<'t> Passage<'t> {
         runs.filter(|run| !run.is_empty()).map(Self::of).collect()
     }
 
-    /// The answer without what is said of it after it, `…, if ω² > 2λ²`, `… (uniform)`, `… by Newton's law`, or before it,
-    /// `the sum: …`.
-    pub fn without_asides(self) -> impl Iterator<Item = Self> {
-        let found = [super::aside::before(self.0), super::aside::behind(self.0)];
-        found.into_iter().flatten().map(Self::of)
-    }
-
-    /// A formula with the numbers in it that are said in words, `half of m R^2`, `twice k`.
-    pub fn in_spoken_numbers(self) -> Option<Reworded> {
-        reworded::of_spoken_numbers(self.0)
+    /// What may be read in its place where it cannot be read: the answer without what is said of it after it,
+    /// `…, if ω² > 2λ²`, `… by Newton's law`, or before it, `the sum: …`, and with the numbers that are said in words,
+    /// `half of m R^2`. The likelier ones come first.
+    pub fn read_again(self) -> impl Iterator<Item = Reworded> {
+        again::read_again(self.0)
     }
 
     /// A value without the small uncertainty after it, `12.94 ± 0.02 N`.

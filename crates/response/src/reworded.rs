@@ -7,6 +7,12 @@ use super::words::FACTORS;
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Reworded(String);
 
+impl From<&str> for Reworded {
+    fn from(text: &str) -> Self {
+        Self::of(text.to_owned())
+    }
+}
+
 impl Reworded {
     pub(crate) fn of(text: String) -> Self {
         Self(text)

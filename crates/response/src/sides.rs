@@ -1,5 +1,6 @@
 //! What stands around the equals signs of a formula: the symbol that is asked, and what it is.
 
+use super::arguments::without_arguments;
 use super::differential::leibniz;
 use super::letters::{greek_word, is_dotted};
 use super::lexer::tokens;
@@ -206,20 +207,6 @@ const MARKS: &[&str] = &[
     "_\\perp",
     "_⊥",
 ];
-
-/// A text without what comes after a symbol, `(t)`, `(0)`, `[rad/s]`.
-pub(crate) fn without_arguments(text: &str) -> &str {
-    let open = text.find(['(', '[']).filter(|open| *open > 0);
-    let Some(open) = open.filter(|_| text.ends_with([')', ']'])) else {
-        return text;
-    };
-    let is_product = text[open..].contains(['+', '*']) || text[..open].contains('\\');
-    if is_product {
-        text
-    } else {
-        text[..open].trim_end()
-    }
-}
 
 /// Whether a text is written as one name is.
 pub(crate) fn is_word(text: &str) -> bool {

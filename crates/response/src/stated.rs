@@ -1,9 +1,10 @@
 //! What a response says in several statements: the one that counts, its letters as the others define them.
 
+use super::arguments::{is_at_value, without_arguments};
 use super::defined::{Defined, Definition, Said, letter, said};
 use super::differential::leibniz;
 use super::letters::{combining, is_dotted};
-use super::sides::{begins_with_function, is_word, last_side, without_arguments};
+use super::sides::{begins_with_function, is_word, last_side};
 use super::signs::is_apostrophe;
 use super::statements::{label, moved, statements};
 use super::{Lexicon, Manner, Passage, Trouble, Typed, TypedError, formula_at, sides};
@@ -272,19 +273,6 @@ fn without_values_elsewhere(text: &str, mut statements: Vec<Span>) -> Vec<Span> 
     };
     statements.retain(|own| !is_elsewhere(own));
     statements
-}
-
-/// Whether the argument of a label is a number, `V(0)`, `V(π/2)`.
-fn is_at_value(label: &str) -> bool {
-    let bare = without_arguments(label);
-    let argument = label[bare.len()..]
-        .trim()
-        .trim_matches(['(', ')', '[', ']']);
-    let digits = argument.replace("\\pi", "").replace("pi", "");
-    !argument.is_empty()
-        && digits
-            .chars()
-            .all(|char| "0123456789.,/-+π° ∞".contains(char))
 }
 
 /// Whether a label is that of a rate, `dE/dt`, `Ė`, `E'`.

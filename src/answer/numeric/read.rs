@@ -233,12 +233,16 @@ pub(crate) fn number(
     setting: Setting<'_>,
 ) -> Result<TypedNumber, Unreadable> {
     number_alone(response, setting).or_else(|why| {
-        let bare = setting
-            .asked
-            .and_then(|asked| response.without_words_of(asked));
-        bare.and_then(|bare| number_alone(bare, setting).ok())
-            .or_else(|| concluded(response, setting))
-            .or_else(|| number_alone(response.without_spread()?.passage(), setting).ok())
+        // Ways to read it again, in the order in which they are tried. Unlike those of `grade` they are echoed, and what
+        // comes out of one may be wrong.
+        let without_words =
+            || number_alone(response.without_words_of(setting.asked?)?, setting).ok();
+        let concluded = || concluded(response, setting);
+        // Last, since an uncertainty says more of a value than the words beside it.
+        let without_spread = || number_alone(response.without_spread()?.passage(), setting).ok();
+        without_words()
+            .or_else(concluded)
+            .or_else(without_spread)
             .ok_or(why)
     })
 }

@@ -1,0 +1,23 @@
+//! Other ways to read an answer, where nothing can be read of all that was typed: less of it, or its words as numbers.
+
+use super::aside;
+use super::reworded::{Reworded, of_spoken_numbers};
+
+/// What is read in place of a text; none where it has nothing of the kind.
+type Way = fn(&str) -> Option<Reworded>;
+
+/// The ways, in the order in which they are tried. What comes out of one is an answer where it is right, so that no way
+/// makes a wrong one of what could not be read.
+const WAYS: [Way; 3] = [
+    // What is said after an answer, where it holds or where it comes from, does not change it.
+    |text| aside::before(text).map(Reworded::from),
+    // Nor do words before it that describe it; they are fewer, and a comma after them may also part two answers.
+    |text| aside::behind(text).map(Reworded::from),
+    // Last, since `two` and `half` count things in what is said beside an answer, too.
+    of_spoken_numbers,
+];
+
+/// What may be read in place of a text, by each way that it allows.
+pub(crate) fn read_again(text: &str) -> impl Iterator<Item = Reworded> {
+    WAYS.iter().filter_map(move |way| way(text))
+}
