@@ -8,7 +8,7 @@ use crate::math::Math;
 use crate::numerics::Rational;
 use crate::response::Folded;
 use crate::source::Table;
-use crate::unit::Unit;
+use crate::unit::{Decimal, DecimalMark, Quantity, Unit};
 
 /// How a response fared.
 #[derive(
@@ -110,6 +110,14 @@ impl Key {
             math,
             accepted: None,
             value: KeyValue::Formula { text, latex },
+        }
+    }
+
+    /// A number in a unit, as keys print it.
+    pub(crate) fn rounded(value: f64, digits: u32, unit: Unit, mark: DecimalMark) -> Math {
+        match Decimal::rounded(value, digits) {
+            Some(rounded) => Quantity::new(rounded, unit).math(mark),
+            None => Math::text("out of range"),
         }
     }
 

@@ -1,10 +1,12 @@
 //! What kinds with symbolic keys share: the formula of a node, its entries, and a mistake's formulas.
 
 use std::collections::BTreeMap;
+use std::sync::Arc;
 
-use super::Mistaken;
+use super::{Key, Mistaken};
 use crate::expr::{Expr, Kind, Name, Shape, Substitution};
 use crate::quantity::{Graph, NodeId};
+use crate::response::Lexicon;
 
 /// The formula of a node, with the formulas of models substituted; that of a parameter is its name.
 pub(crate) fn formula(graph: &Graph, node: NodeId) -> Expr {
@@ -27,6 +29,12 @@ pub(crate) fn without_paths(graph: &Graph, expr: &Expr) -> Expr {
         }
     }
     put.apply(expr).unwrap_or_else(|_| expr.clone())
+}
+
+/// A key that is a formula, as it is printed.
+pub(crate) fn printed(shown: &Expr, lexicon: &Lexicon) -> Arc<Key> {
+    let key = Key::formula(shown.to_string(), shown.typeset(lexicon));
+    Arc::new(key)
 }
 
 /// The entries of a formula of this shape, by rows.

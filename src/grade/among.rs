@@ -2,7 +2,7 @@
 
 use super::bound::bounded;
 use super::typed::TypedResponse;
-use super::{mark_typed, silence, without_aside};
+use super::{mark_typed, marked_again, silence};
 use crate::answer::{Beside, Marking};
 use crate::response::{Folded, Passage, withdrawn};
 use crate::solution::Solution;
@@ -49,7 +49,7 @@ pub(crate) fn marked(
         Ok(marker) => {
             let kind = parts[place].answer.kind();
             let mark = |response: Passage<'_>| marker.mark_beside(response, &others);
-            let marking = bounded(|| without_aside(kind, folded.passage(), mark).in_typed(folded));
+            let marking = bounded(|| marked_again(kind, folded.passage(), mark).in_typed(folded));
             silence::heard(response.typed(), marking)
         }
         Err(_) => mark_typed(solution, place, response),

@@ -320,6 +320,9 @@ mod tests {
             ("m ü + ku", "m u\u{308} + ku"),
             ("für ü", "für u\u{308}"),
             ("6·1237 m", "6‧1237 m"),
+            ("square root of k over m", "sqrt(k / m)"),
+            ("root of square root of k", "sqrt(sqrt(k))"),
+            ("2 + the root of the root of k + 1", "2 + sqrt(sqrt(k)) + 1"),
             ("6·10-3 m", "6*10-3 m"),
             ("0.5·12 m", "0.5*12 m"),
         ] {

@@ -290,6 +290,17 @@ impl<'s> Table<'s> {
         }
     }
 
+    /// A value as texts: one text, or an array of them.
+    pub fn as_texts(&self, key: &str, value: &'s Value) -> Vec<Text> {
+        match &value.data {
+            Data::List(items) => {
+                let texts = items.iter().map(|item| self.as_text(key, item));
+                texts.flatten().collect()
+            }
+            _ => self.as_text(key, value).into_iter().collect(),
+        }
+    }
+
     /// A value as the text of a formula: a text, or a number that stands for itself.
     pub fn as_formula(&self, key: &str, value: &'s Value) -> Option<Text> {
         match &value.data {

@@ -181,15 +181,8 @@ impl Answer for Equations {
         part: &Table<'_>,
         declare: &mut dyn Declare,
     ) -> Option<Vec<NodeId>> {
-        let texts: Vec<Text> = match &answer.data {
-            crate::source::Data::List(items) => items
-                .iter()
-                .filter_map(|item| part.as_text("answer", item))
-                .collect(),
-            _ => part.as_text("answer", answer).into_iter().collect(),
-        };
         let mut given = Vec::new();
-        for text in &texts {
+        for text in &part.as_texts("answer", answer) {
             // A slip may have wrong dimensions: only its names have to be known.
             let Ok(equation) = Equation::read(&text.value) else {
                 declare.find(&AnswerError::Unread(text.value.clone(), "equation"), text);

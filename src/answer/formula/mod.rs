@@ -71,8 +71,8 @@ pub(crate) struct Setup {
 impl Setup {
     /// The key as it is printed: the same for all data.
     fn printed(&self) -> &Arc<Key> {
-        let print = || Key::formula(self.shown.to_string(), self.shown.typeset(&self.lexicon));
-        self.printed.get_or_init(|| Arc::new(print()))
+        let print = || symbolic::printed(&self.shown, &self.lexicon);
+        self.printed.get_or_init(print)
     }
 }
 

@@ -94,7 +94,7 @@ struct Prepared {
 
 /// Reads the keys of a part that belong to this kind; what is wrong is noted.
 pub(crate) fn read(part: &Table<'_>, declare: &mut dyn Declare) -> Option<Box<dyn Answer>> {
-    let key = part.required("key").map(|key| texts(part, "key", key));
+    let key = part.required("key").map(|key| part.as_texts("key", key));
     let variable = part.required_text("variable");
     let within = part.text("within");
     let (ends, tolerance) = (part.text("ends"), part.text("tolerance"));
@@ -153,17 +153,6 @@ pub(crate) fn read(part: &Table<'_>, declare: &mut dyn Declare) -> Option<Box<dy
         setup: Arc::new(setup),
         mistakes: Vec::new(),
     }))
-}
-
-/// One text, or an array of them.
-fn texts(part: &Table<'_>, key: &str, value: &Value) -> Vec<Text> {
-    match &value.data {
-        crate::source::Data::List(items) => items
-            .iter()
-            .filter_map(|item| part.as_text(key, item))
-            .collect(),
-        _ => part.as_text(key, value).into_iter().collect(),
-    }
 }
 
 fn pieces(texts: &[Text], declare: &mut dyn Declare) -> Option<Vec<DeclaredInterval>> {
@@ -262,7 +251,7 @@ impl Answer for Interval {
         part: &Table<'_>,
         declare: &mut dyn Declare,
     ) -> Option<Vec<NodeId>> {
-        let declared = pieces(&texts(part, "answer", answer), declare)?;
+        let declared = pieces(&part.as_texts("answer", answer), declare)?;
         self.mistakes.push((number, declared));
         Some(Vec::new())
     }

@@ -16,7 +16,7 @@ use crate::expr::{Precise, Value};
 use crate::math::Math;
 use crate::numerics::Rational;
 use crate::response::Passage;
-use crate::unit::{Decimal, DecimalMark, Quantity, Unit};
+use crate::unit::{DecimalMark, Unit};
 
 /// A prepared key.
 pub(crate) struct Prepared {
@@ -196,10 +196,7 @@ impl Marker for Prepared {
     }
 
     fn key(&self) -> Key {
-        let set = |number: f64| match Decimal::rounded(number, self.digits) {
-            Some(decimal) => Quantity::new(decimal, Unit::ONE).math(self.mark),
-            None => Math::text("out of range"),
-        };
+        let set = |number: f64| Key::rounded(number, self.digits, Unit::ONE, self.mark);
         let shown: Vec<Math> = self.scaled().into_iter().flatten().map(set).collect();
         Key {
             math: typeset(&shown, self.width()),

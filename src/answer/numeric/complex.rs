@@ -15,7 +15,7 @@ use crate::expr::{Constant, Expr, Form, Kind};
 use crate::math::Math;
 use crate::numerics::{Complex, Rational, powi};
 use crate::response::{Amount, Folded, Number as Typed, Part, Passage, Style, Values};
-use crate::unit::{Decimal, DecimalMark, Quantity, Unit};
+use crate::unit::{DecimalMark, Unit};
 
 /// With an example of a complex number.
 fn like_complex(why: Why) -> Unreadable {
@@ -329,10 +329,7 @@ impl ComplexNumbers {
 
     fn printed(&self, value: Complex) -> Math {
         let (re, im) = (self.unit.of_si(value.re), self.unit.of_si(value.im));
-        let set = |part: f64| match Decimal::rounded(part, self.digits) {
-            Some(decimal) => Quantity::new(decimal, Unit::ONE).math(self.mark),
-            None => Math::text("out of range"),
-        };
+        let set = |part: f64| Key::rounded(part, self.digits, Unit::ONE, self.mark);
         let is_sum = re != 0.0 || im == 0.0;
         let number = Math::complex(is_sum.then(|| set(re)), im < 0.0, set(im.abs()));
         if self.unit.is_one() {

@@ -368,11 +368,7 @@ impl Numbers {
 
     /// A number in the unit of the answer, as a key prints it.
     fn printed(&self, si: f64, figures: u32) -> Math {
-        let value = self.unit.of_si(si);
-        match Decimal::rounded(value, figures) {
-            Some(rounded) => Quantity::new(rounded, self.unit).math(self.mark),
-            None => Math::text("out of range"),
-        }
+        Key::rounded(self.unit.of_si(si), figures, self.unit, self.mark)
     }
 }
 
