@@ -4,14 +4,14 @@ use super::aside;
 use super::reworded::{Reworded, of_spoken_numbers};
 
 /// What is read in place of a text; none where it has nothing of the kind.
-type Way = fn(&str) -> Option<Reworded>;
+type Rereading = fn(&str) -> Option<Reworded>;
 
 /// The ways, in the order in which they are tried. What comes out of one is an answer where it is right, so that no way
 /// makes a wrong one of what could not be read.
-const WAYS: [Way; 3] = [
+const WAYS: [Rereading; 3] = [
     // What is said after an answer, where it holds or where it comes from, does not change it.
     |text| aside::before(text).map(Reworded::from),
-    // Nor do words before it that describe it; they are fewer, and a comma after them may also part two answers.
+    // Nor do words before it that describe it; a comma after them may also part two answers, so that they come later.
     |text| aside::behind(text).map(Reworded::from),
     // Last, since `two` and `half` count things in what is said beside an answer, too.
     of_spoken_numbers,

@@ -1,89 +1,71 @@
 //! Sums, and `c.c.` in them: the complex conjugates of the terms before it, as twice their real part.
 
-use super::TypedError;
 use super::composition::number;
-use super::lexer::Lexer;
 use super::parser::{Parser, Result};
-use super::token::Item;
+use super::token::{Item, Token};
 use super::words::CONJUGATES;
+use super::{Lexicon, TypedError};
 use vibank_formula::expr::{Expr, Function, Kind, Operator};
 
 /// What comes after the letter of a complex conjugate.
 const MARKS: [&str; 4] = ["^*", "^{*}", "\u{304}", "\u{305}"];
 
-impl Lexer<'_> {
-    /// `+ c.c.`, where numbers are complex; whether it stands here.
-    pub(crate) fn conjugate_terms(&mut self) -> bool {
-        let is_added = matches!(self.tokens.last(), Some(token) if token.item == Item::Sign('+'));
-        if !is_added || self.manner.values.is_some() {
-            return false;
-        }
-        let length = CONJUGATES.iter().find_map(|words| {
-            let behind = self.rest().strip_prefix(words)?;
-            let goes_on = |next: char| next.is_alphanumeric() || "_.^'(".contains(next);
-            (!behind.starts_with(goes_on)).then_some(words.len())
-        });
-        let length = length.filter(|_| !self.lexicon.knows("cc"));
-        let Some(length) = length else {
-            return false;
-        };
-        let start = self.at;
-        self.at += length;
-        if self.manner.has_imaginary_unit {
-            self.push(Item::Conjugates, start);
-        } else {
-            let trouble = self.lexicon.unknown(&self.text[start..self.at]);
-            let error = TypedError::new(trouble, start, self.at);
-            self.push(Item::Unread(Box::new(error)), start);
-        }
-        true
+/// `+ c.c.`, which is read where numbers are complex, if it stands at a place after these tokens, and its length.
+pub(crate) fn conjugate_terms(
+    (text, at): (&str, usize),
+    tokens: &[Token],
+    lexicon: &Lexicon,
+    is_complex: bool,
+) -> Option<(Item, usize)> {
+    tokens
+        .last()
+        .filter(|token| token.item == Item::Sign('+'))?;
+    let length = CONJUGATES.iter().find_map(|words| {
+        let behind = text[at..].strip_prefix(words)?;
+        let goes_on = |next: char| next.is_alphanumeric() || "_.^'(".contains(next);
+        (!behind.starts_with(goes_on)).then_some(words.len())
+    });
+    let length = length.filter(|_| !lexicon.knows("cc"))?;
+    if is_complex {
+        return Some((Item::Conjugates, length));
     }
+    let trouble = lexicon.unknown(&text[at..at + length]);
+    let error = TypedError::new(trouble, at, at + length);
+    Some((Item::Unread(Box::new(error)), length))
 }
 
-impl Lexer<'_> {
-    /// `A^*`, and a line over the letter before; whether such a mark stands here, where numbers are complex.
-    pub(crate) fn conjugate_mark(&mut self) -> bool {
-        let is_complex = self.manner.has_imaginary_unit && self.manner.values.is_none();
-        let is_behind = matches!(self.tokens.last(), Some(token) if matches!(token.item, Item::Leaf(_) | Item::Sign(')')));
-        if !is_complex || !is_behind {
-            return false;
-        }
-        let mark = MARKS.iter().find(|mark| self.rest().starts_with(**mark));
-        if let Some(mark) = mark {
-            self.take(mark.len(), Item::Conjugate);
-        }
-        mark.is_some()
-    }
+/// The length of the mark of a conjugate, `A^*`, or a line over the letter before, that begins a text after these tokens.
+pub(crate) fn conjugate_mark(text: &str, tokens: &[Token]) -> Option<usize> {
+    let is_marked = |token: &&Token| matches!(token.item, Item::Leaf(_) | Item::Sign(')'));
+    tokens.last().filter(is_marked)?;
+    let mark = MARKS.iter().find(|mark| text.starts_with(**mark))?;
+    Some(mark.len())
+}
 
-    /// Has `A* e^(-it)` the conjugate of a letter that stands before it as `A e^(it)`: of the sign of a product both
-    /// sides or none have a space.
-    pub(crate) fn stars(&mut self) {
-        if !self.manner.has_imaginary_unit || self.manner.values.is_some() {
-            return;
-        }
-        let mut bare: Vec<Expr> = Vec::new();
-        for at in 0..self.tokens.len() {
-            let leaf = match &self.tokens[at].item {
-                Item::Leaf(leaf) if matches!(leaf.kind(), Kind::Name(_)) => leaf,
-                _ => continue,
-            };
-            let is_star = self
-                .tokens
-                .get(at + 1)
-                .is_some_and(|token| token.item == Item::Sign('*') && !token.is_spaced);
-            let stands_apart = match self.tokens.get(at + 2) {
-                Some(token) => match token.item {
-                    Item::Number(_) => false,
-                    Item::Sign('*' | '+' | ')') => true,
-                    _ => token.is_spaced,
-                },
-                None => true,
-            };
-            if !(is_star && stands_apart) {
-                bare.push(leaf.clone());
-            } else if bare.contains(leaf) {
-                self.tokens[at + 1].item = Item::Conjugate;
-            }
+/// Has `A* e^(-it)` the conjugate of a letter that stands before it as `A e^(it)`: of the sign of a product both sides or
+/// none have a space.
+pub(crate) fn conjugate_stars(tokens: &mut [Token]) {
+    let mut bare: Vec<Expr> = Vec::new();
+    for at in 0..tokens.len() {
+        let leaf = match &tokens[at].item {
+            Item::Leaf(leaf) if matches!(leaf.kind(), Kind::Name(_)) => leaf,
+            _ => continue,
+        };
+        let is_star = tokens
+            .get(at + 1)
+            .is_some_and(|token| token.item == Item::Sign('*') && !token.is_spaced);
+        let stands_apart = match tokens.get(at + 2) {
+            Some(token) => match token.item {
+                Item::Number(_) => false,
+                Item::Sign('*' | '+' | ')') => true,
+                _ => token.is_spaced,
+            },
+            None => true,
+        };
+        if !(is_star && stands_apart) {
+            bare.push(leaf.clone());
+        } else if bare.contains(leaf) {
+            tokens[at + 1].item = Item::Conjugate;
         }
     }
 }

@@ -1,11 +1,10 @@
 //! Determinants of matrices that are written out: `det([[a, b], [c, d]])`, `\det\begin{pmatrix}…`,
 //! `\begin{vmatrix} a & b \\ c & d \end{vmatrix}`, as the sums of products that they are.
 
-use super::lexer::Lexer;
-use super::list::{Wanted, list_of_form};
+use super::list::{Listed, Wanted, list_of_form};
 use super::parser::Parser;
 use super::token::Item;
-use super::{Trouble, TypedError};
+use super::{Lexicon, Trouble, TypedError};
 use vibank_formula::expr::{Expr, Operator};
 
 /// What people and programs call it.
@@ -23,41 +22,34 @@ const BARRED: [(&str, &str); 2] = [("{vmatrix}", "{pmatrix}"), ("{Vmatrix}", "{p
 /// Most rows: a determinant has as many products as there are orders of them.
 const MAX_ROWS: usize = 4;
 
-impl Lexer<'_> {
-    /// Whether the determinant of a matrix stands here; its matrix holds no other one.
-    pub(crate) fn determinant(&mut self) -> bool {
-        let may_begin = self.rest().starts_with(['\\', 'd', 'D', 'L', '|']);
-        if !may_begin || self.manner.values.is_some() {
-            return false;
-        }
-        let Some((matrix, length)) = enclosed(self.rest()) else {
-            return false;
-        };
-        let is_square = |rows: &[Vec<Expr>]| {
-            (2..=MAX_ROWS).contains(&rows.len()) && rows.iter().all(|row| row.len() == rows.len())
-        };
-        let wanted = Wanted::Matrix(None);
-        let listed = list_of_form(&matrix, self.lexicon, &[], wanted, |list| {
-            is_square(&list.rows)
-        });
-        let rows = listed
-            .ok()
-            .filter(|list| list.unit.is_none() && is_square(&list.rows));
-        let rows = rows.map(|list| list.rows);
-        let sum = rows
-            .and_then(|rows| expanded(&rows.iter().map(Vec::as_slice).collect::<Vec<_>>()).ok());
-        let item = match sum {
-            Some(sum) => Item::Leaf(sum),
-            // `det(K - ω² M)` says what is true of every system.
-            None if is_called(self.rest()) && !self.lexicon.knows("det") => {
-                let error = TypedError::new(Trouble::NamedMatrices, self.at, self.at + length);
-                Item::Unread(Box::new(error))
-            }
-            None => return false,
-        };
-        self.take(length, item);
-        true
+/// The determinant of a matrix that stands at a place, and its length; its matrix holds no other one.
+pub(crate) fn determinant(text: &str, at: usize, lexicon: &Lexicon) -> Option<(Item, usize)> {
+    let rest = &text[at..];
+    if !rest.starts_with(['\\', 'd', 'D', 'L', '|']) {
+        return None;
     }
+    let (matrix, length) = enclosed(rest)?;
+    let is_square = |rows: &[Vec<Expr>]| {
+        (2..=MAX_ROWS).contains(&rows.len()) && rows.iter().all(|row| row.len() == rows.len())
+    };
+    let fits = |list: &Listed| is_square(&list.rows);
+    let listed = list_of_form(&matrix, lexicon, &[], Wanted::Matrix(None), fits).ok();
+    let rows = listed
+        .filter(|list| list.unit.is_none() && fits(list))
+        .map(|list| list.rows);
+    let sum = rows.and_then(|rows| {
+        let rows: Vec<&[Expr]> = rows.iter().map(Vec::as_slice).collect();
+        expanded(&rows).ok()
+    });
+    if let Some(sum) = sum {
+        return Some((Item::Leaf(sum), length));
+    }
+    // `det(K - ω² M)` says what is true of every system.
+    let is_of_names = is_called(rest) && !lexicon.knows("det");
+    is_of_names.then(|| {
+        let error = TypedError::new(Trouble::NamedMatrices, at, at + length);
+        (Item::Unread(Box::new(error)), length)
+    })
 }
 
 /// Whether a text begins with the name of a determinant.

@@ -1,6 +1,7 @@
 //! Numbers in responses: decimals, degrees, raised digits, signs of fractions.
 
 use super::lexer::Lexer;
+use super::nothing::unit_of_nothing;
 use super::signs::DECIMAL;
 use super::token::{Item, Token};
 use super::words::Powered;
@@ -61,8 +62,11 @@ impl Lexer<'_> {
         match Rational::from_decimal(&decimal) {
             Some(number) => {
                 self.push(Item::Number(number), start);
-                if number.is_zero() && self.manner.values.is_none() {
-                    self.unit_of_nothing();
+                if number.is_zero()
+                    && self.manner.values.is_none()
+                    && let Some((unit, length)) = unit_of_nothing(self.rest(), &self.tokens)
+                {
+                    self.take(length, Item::Unit(Box::new(unit)));
                 }
                 Ok(())
             }

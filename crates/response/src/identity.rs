@@ -1,7 +1,7 @@
 //! The identity matrix among what people type: `m I`, `k \mathbf{I}_2`, `m*eye(3)`, `IdentityMatrix[2]`.
 
+use super::Lexicon;
 use super::frame::without_module;
-use super::list::{Reader, Wanted};
 use vibank_source::Span;
 
 /// Most rows of an identity that is called by its size.
@@ -21,49 +21,49 @@ const FACES: [&str; 7] = [
 /// Its letters, the one of German last.
 const LETTERS: [&str; 3] = ["Id", "I", "E"];
 
-impl Reader<'_> {
-    /// Where the identity stands in a piece, and how many rows it has; nothing where its letter is a name of the item.
-    pub(crate) fn identity_in(&self, piece: Span) -> Option<(Span, usize)> {
-        let Wanted::Matrix(Some(rows)) = self.wanted else {
-            return None;
-        };
-        let text = &self.text[piece.range()];
-        let (start, length, rows) = called(text).or_else(|| {
-            let places = text.char_indices().map(|(at, _)| at);
-            let mut found =
-                places.filter_map(|at| Some((at, self.letter_at(text, at, rows)?, rows)));
-            found.next()
-        })?;
-        let from = piece.range().start + start;
-        Some((Span::new(from, from + length), rows))
-    }
+/// Where the identity of a matrix of so many rows stands in a piece, and how many rows it has itself; nothing where its
+/// letter is a name of the item.
+pub(crate) fn identity_in(
+    text: &str,
+    piece: Span,
+    rows: usize,
+    lexicon: &Lexicon,
+) -> Option<(Span, usize)> {
+    let text = &text[piece.range()];
+    let (start, length, rows) = called(text).or_else(|| {
+        let places = text.char_indices().map(|(at, _)| at);
+        let mut found =
+            places.filter_map(|at| Some((at, letter_at(text, at, rows, lexicon)?, rows)));
+        found.next()
+    })?;
+    let from = piece.range().start + start;
+    Some((Span::new(from, from + length), rows))
+}
 
-    /// The length of the letter of the identity with its face and its index, if it stands at a place.
-    fn letter_at(&self, text: &str, at: usize, rows: usize) -> Option<usize> {
-        let (before, rest) = text.split_at(at);
-        let face = FACES.iter().find_map(|face| rest.strip_prefix(*face));
-        let faced = face.map_or(rest, |rest| rest.trim_start_matches(['{', ' ']));
-        let letters = LETTERS.iter().chain(face.is_some().then_some(&"1"));
-        let (letter, mut behind) = letters
-            .into_iter()
-            .find_map(|own| Some((*own, faced.strip_prefix(*own)?)))?;
-        if face.is_some() {
-            behind = behind.strip_prefix('}').unwrap_or(behind);
-        }
-        let mut indices = indices(rows).into_iter();
-        let own = indices.find_map(|index| behind.strip_prefix(index.as_str()));
-        let behind = own.unwrap_or(behind);
-        let is_index = ["_", "^", "\\", "_{", "^{"]
-            .iter()
-            .any(|sign| before.ends_with(sign));
-        let goes_on =
-            behind.starts_with(|next: char| next.is_alphanumeric() || "_^({[".contains(next));
-        // `AE` and `5E` end with another letter.
-        let is_alone = letter != "E" || !before.ends_with(char::is_alphanumeric);
-        let is_free = self.lexicon.reads(letter).is_none()
-            && self.lexicon.reads(&format!("{letter}{rows}")).is_none();
-        (!is_index && !goes_on && is_alone && is_free).then(|| rest.len() - behind.len())
+/// The length of the letter of the identity with its face and its index, if it stands at a place.
+fn letter_at(text: &str, at: usize, rows: usize, lexicon: &Lexicon) -> Option<usize> {
+    let (before, rest) = text.split_at(at);
+    let face = FACES.iter().find_map(|face| rest.strip_prefix(*face));
+    let faced = face.map_or(rest, |rest| rest.trim_start_matches(['{', ' ']));
+    let letters = LETTERS.iter().chain(face.is_some().then_some(&"1"));
+    let (letter, mut behind) = letters
+        .into_iter()
+        .find_map(|own| Some((*own, faced.strip_prefix(*own)?)))?;
+    if face.is_some() {
+        behind = behind.strip_prefix('}').unwrap_or(behind);
     }
+    let mut indices = indices(rows).into_iter();
+    let own = indices.find_map(|index| behind.strip_prefix(index.as_str()));
+    let behind = own.unwrap_or(behind);
+    let is_index = ["_", "^", "\\", "_{", "^{"]
+        .iter()
+        .any(|sign| before.ends_with(sign));
+    let goes_on = behind.starts_with(|next: char| next.is_alphanumeric() || "_^({[".contains(next));
+    // `AE` and `5E` end with another letter.
+    let is_alone = letter != "E" || !before.ends_with(char::is_alphanumeric);
+    let is_free =
+        lexicon.reads(letter).is_none() && lexicon.reads(&format!("{letter}{rows}")).is_none();
+    (!is_index && !goes_on && is_alone && is_free).then(|| rest.len() - behind.len())
 }
 
 /// The spellings of the number of rows after its letter.

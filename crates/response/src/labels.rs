@@ -1,38 +1,33 @@
 //! Symbols before the pieces of a list: `x1 = 1, x2 = 0.291`, `u2 = (1, 0, -1)`, `mode 1: (1, 1.414, 1)`.
 
-use super::list::{Reader, cut, trimmed};
+use super::list::{cut, trimmed};
 use super::words::RANKS;
 use super::{Trouble, TypedError};
 use vibank_source::{Span, lower};
 
-impl Reader<'_> {
-    /// The symbol before a piece, and the piece without it.
-    pub(crate) fn labelled(&self, piece: Span) -> (Option<Span>, Span) {
-        let piece = trimmed(self.text, piece);
-        let text = &self.text[piece.range()];
-        let (mut depth, mut end) = (0_usize, None);
-        for (at, char) in text.char_indices() {
-            let next = &text[at + char.len_utf8()..];
-            match char {
-                '(' | '[' | '{' => depth += 1,
-                ')' | ']' | '}' => depth = depth.saturating_sub(1),
-                '=' | '≈' if depth == 0 => end = Some(text.len() - next.len()),
-                ':' if depth == 0 && next.trim_start().starts_with(['(', '[', '{']) => {
-                    end = Some(text.len() - next.len());
-                }
-                _ => {}
+/// The symbol before a piece, and the piece without it.
+pub(crate) fn labelled(text: &str, piece: Span) -> (Option<Span>, Span) {
+    let piece = trimmed(text, piece);
+    let own = &text[piece.range()];
+    let (mut depth, mut end) = (0_usize, None);
+    for (at, char) in own.char_indices() {
+        let next = &own[at + char.len_utf8()..];
+        match char {
+            '(' | '[' | '{' => depth += 1,
+            ')' | ']' | '}' => depth = depth.saturating_sub(1),
+            '=' | '≈' if depth == 0 => end = Some(own.len() - next.len()),
+            ':' if depth == 0 && next.trim_start().starts_with(['(', '[', '{']) => {
+                end = Some(own.len() - next.len());
             }
+            _ => {}
         }
-        let Some(end) = end else {
-            return (None, piece);
-        };
-        let start = piece.range().start;
-        let rest = Span::new(start + end, piece.range().end);
-        (
-            Some(Span::new(start, start + end)),
-            trimmed(self.text, rest),
-        )
     }
+    let Some(end) = end else {
+        return (None, piece);
+    };
+    let start = piece.range().start;
+    let rest = Span::new(start + end, piece.range().end);
+    (Some(Span::new(start, start + end)), trimmed(text, rest))
 }
 
 /// Refuses symbols whose numbers do not ascend: what they name may stand in another order than what is asked.

@@ -3,11 +3,14 @@
 use std::collections::BTreeSet;
 use std::sync::Arc;
 
+use super::conjugates::{conjugate_mark, conjugate_stars, conjugate_terms};
 use super::derivative::{derivative, primed, rate_by_index};
+use super::determinant::determinant;
 use super::differential::{method, operator};
 use super::digits::fraction;
 use super::letters::{Letters, combining, dotted, greek, greek_word, name_of_command};
 use super::signs::MIDDLE_POINT;
+use super::spellings::may_be_small;
 use super::subscript::{subscript, subscripts};
 use super::token::{Item, Token};
 use super::vocabulary::{INITIAL, WordPiece, WordSense};
@@ -52,7 +55,9 @@ pub(crate) fn tokens(
         lexer.at = (lexer.at.max(error.span.range().end)).max(start + char.len_utf8());
         lexer.push(Item::Unread(Box::new(error)), start);
     }
-    lexer.stars();
+    if manner.has_imaginary_unit && manner.values.is_none() {
+        conjugate_stars(&mut lexer.tokens);
+    }
     Ok(lexer.tokens)
 }
 
@@ -105,9 +110,7 @@ impl<'a> Lexer<'a> {
             return Ok(());
         }
         // First, or the `d` of a quotient would be a letter.
-        if self.determinant()
-            || self.conjugate_terms()
-            || self.conjugate_mark()
+        if self.determinant_or_conjugate()
             || self.derivative_over_time()
             || self.manner.values.is_none() && self.degrees()
             || self.end_of_sentence(char)
@@ -145,9 +148,8 @@ impl<'a> Lexer<'a> {
             return Ok(());
         }
         let item = match char {
-            '+' | '/' | '^' | '(' | ')' | '[' | ']' | '{' | '}' | '|' | ';' | '=' | '<' | '>'
-            | '≤' | '≥' | '≠' | '&' => Item::Sign(char),
-            '*' | '-' | ':' => Item::Sign(char),
+            '+' | '-' | '*' | '/' | '^' | '(' | ')' | '[' | ']' | '{' | '}' | '|' | ':' | ';'
+            | '=' | '<' | '>' | '≤' | '≥' | '≠' | '&' => Item::Sign(char),
             '∠' if self.manner.has_imaginary_unit => Item::Sign(char),
             MIDDLE_POINT => Item::Sign('*'),
             '≈' => Item::Sign('='),
@@ -166,6 +168,25 @@ impl<'a> Lexer<'a> {
         };
         self.take(width, item);
         Ok(())
+    }
+
+    /// The determinant of a matrix, terms that are conjugates, or the mark of one; whether such stands in a formula here.
+    fn determinant_or_conjugate(&mut self) -> bool {
+        if self.manner.values.is_some() {
+            return false;
+        }
+        let (text, at, is_complex) = (self.text, self.at, self.manner.has_imaginary_unit);
+        let terms = || conjugate_terms((text, at), &self.tokens, self.lexicon, is_complex);
+        let mark = || {
+            let length = conjugate_mark(&text[at..], &self.tokens).filter(|_| is_complex)?;
+            Some((Item::Conjugate, length))
+        };
+        let found = determinant(text, at, self.lexicon);
+        let Some((item, length)) = found.or_else(terms).or_else(mark) else {
+            return false;
+        };
+        self.take(length, item);
+        true
     }
 
     /// The point, comma or semicolon after the last sign; whether it stands here.
@@ -445,10 +466,8 @@ impl<'a> Lexer<'a> {
     ) -> Result<(), TypedError> {
         let next = self.rest().trim_start();
         let has_bracket = next.starts_with(['(', '{', '[']) || next.starts_with("\\left");
-        let initial = ["(0)", "\\left(0\\right)"]
-            .iter()
-            .find(|call| next.starts_with(**call));
-        if let Some(call) = initial
+        let mut calls = ["(0)", "\\left(0\\right)"].iter();
+        if let Some(call) = calls.find(|call| next.starts_with(**call))
             && let Ok(pieces) =
                 self.lexicon
                     .split(letters, end, primes.saturating_add(INITIAL), false)
@@ -489,14 +508,7 @@ impl<'a> Lexer<'a> {
         end: usize,
         primes: u8,
     ) -> Option<Vec<WordPiece>> {
-        // Telephones begin with a capital; some type in capitals throughout.
-        let is_first = || !self.text[..start].contains(char::is_alphabetic);
-        let is_capital = self.text[start..end].starts_with(char::is_uppercase);
-        let is_shouted = || {
-            let capitals = self.text.bytes().filter(u8::is_ascii_uppercase);
-            capitals.count() > 1 && !self.text.contains(|char: char| char.is_ascii_lowercase())
-        };
-        if !self.manner.is_in_any_case || !is_capital || !(is_first() || is_shouted()) {
+        if !self.manner.is_in_any_case || !may_be_small(self.text, start) {
             return None;
         }
         self.lexicon.split_in_any_case(letters, end, primes)
@@ -505,8 +517,8 @@ impl<'a> Lexer<'a> {
     /// Whether a run of letters that are not names is a unit: only after a number, and of one letter only the second.
     fn is_unit(&self, start: usize, end: usize) -> bool {
         let run = &self.text[start..end];
-        let is_behind_number =
-            matches!(self.tokens.last(), Some(token) if matches!(token.item, Item::Number(_)));
+        let is_number = |token: &Token| matches!(token.item, Item::Number(_));
+        let is_behind_number = self.tokens.last().is_some_and(is_number);
         let is_word = run == "s" || run.len() > 1 && run.chars().all(char::is_alphabetic);
         is_behind_number && is_word && Unit::read(run).is_ok()
     }
@@ -519,15 +531,14 @@ impl<'a> Lexer<'a> {
             let trouble = |trouble| TypedError { trouble, span };
             let item = match piece.sense {
                 WordSense::Leaf(leaf) => {
-                    let order = if is_last && !piece.takes_primes {
-                        primes
-                    } else {
-                        0
-                    };
+                    let is_primed = is_last && !piece.takes_primes;
+                    let order = if is_primed { primes } else { 0 };
                     let named = Expr::new(leaf.kind().clone(), span);
                     Item::Leaf(primed(named, order, span))
                 }
-                WordSense::Function(_) | WordSense::Power(_) if is_last && primes > 0 => {
+                WordSense::Function(_) | WordSense::Power(_) | WordSense::Imaginary
+                    if is_last && primes > 0 =>
+                {
                     return Err(trouble(Trouble::Sign));
                 }
                 WordSense::Function(function) => Item::Function(function),
@@ -537,9 +548,6 @@ impl<'a> Lexer<'a> {
                     return Err(trouble(self.lexicon.unknown("")));
                 }
                 WordSense::Power(powered) => Item::Powered(powered),
-                WordSense::Imaginary if is_last && primes > 0 => {
-                    return Err(trouble(Trouble::Sign));
-                }
                 WordSense::Imaginary if self.manner.has_imaginary_unit => {
                     Item::Leaf(Expr::new(Kind::Constant(Constant::ImaginaryUnit), span))
                 }

@@ -2,7 +2,8 @@
 
 use super::before_unit::with_unit;
 use super::frame::{balanced, groups, is_transposed_name};
-use super::labels::{by_indices, in_order};
+use super::identity::identity_in;
+use super::labels::{by_indices, in_order, labelled};
 use super::layout::{has_signed_gap, laid_out, spaced};
 use super::parser::Parser;
 use super::words::is_function;
@@ -149,13 +150,21 @@ impl Reader<'_> {
         read.is_ok_and(|formula| !formula.value.names().free.is_empty())
     }
 
+    /// Where the identity stands in a piece where a matrix of known size is asked, and how many rows it has.
+    fn identity(&self, piece: Span) -> Option<(Span, usize)> {
+        match self.wanted {
+            Wanted::Matrix(Some(rows)) => identity_in(self.text, piece, rows, self.lexicon),
+            _ => None,
+        }
+    }
+
     /// A list with what stands around it.
     fn framed(&self, piece: Span, depth: u32) -> Result<Listed, TypedError> {
         let piece = trimmed(self.text, piece);
         if self.pieces(piece, SEPARATORS).len() > 1 {
             return self.bare(piece, depth);
         }
-        let (label, piece) = self.labelled(piece);
+        let (label, piece) = labelled(self.text, piece);
         in_order(self.text, &[label])?;
         let mut listed = self.unlabelled(piece, depth)?;
         let is_matrix = matches!(self.wanted, Wanted::Matrix(_));
@@ -178,7 +187,7 @@ impl Reader<'_> {
             groups.first().copied().filter(|group| *group == piece)
         };
         let Some(list) = self.list_in(piece, depth).or_else(wrapped) else {
-            return match self.identity_in(piece) {
+            return match self.identity(piece) {
                 Some((identity, size)) => self.multiple_of_identity(piece, identity, size),
                 None => self.bare(piece, depth),
             };
@@ -252,7 +261,7 @@ impl Reader<'_> {
         };
         let terms: Vec<Span> = pieces.iter().map(with_sign).collect();
         let is_list =
-            |term: &Span| self.list_in(*term, depth).is_some() || self.identity_in(*term).is_some();
+            |term: &Span| self.list_in(*term, depth).is_some() || self.identity(*term).is_some();
         terms.iter().all(is_list).then_some(terms)
     }
 
@@ -302,7 +311,7 @@ impl Reader<'_> {
             return listed;
         }
         let last = self.pieces(span, SEPARATORS).pop().unwrap_or(span);
-        let last = self.labelled(last).1;
+        let last = labelled(self.text, last).1;
         let units = with_unit(&self.text[last.range()]).filter_map(|(number, unit)| {
             let end = last.range().start + number.len();
             let number = self.formula(Span::new(last.range().start, end)).ok()?;
@@ -334,7 +343,10 @@ impl Reader<'_> {
     /// What stands between brackets, or without any: rows in brackets of their own, or parted by semicolons.
     fn body(&self, span: Span, depth: u32) -> Result<Listed, TypedError> {
         let pieces = self.pieces(span, SEPARATORS);
-        let labels: Vec<_> = pieces.iter().map(|piece| self.labelled(*piece).0).collect();
+        let labels: Vec<_> = pieces
+            .iter()
+            .map(|piece| labelled(self.text, *piece).0)
+            .collect();
         if let Some(rows) = by_indices(self.text, &pieces) {
             return self.placed(&rows);
         }
@@ -348,7 +360,7 @@ impl Reader<'_> {
             .any(|piece| self.list_in(*piece, depth).is_some())
             || pieces.len() > 1 && pieces.iter().all(is_boxed);
         if let [one] = &pieces[..]
-            && (has_rows || self.identity_in(*one).is_some())
+            && (has_rows || self.identity(*one).is_some())
         {
             return self.framed(*one, depth + 1);
         }
@@ -412,7 +424,7 @@ impl Reader<'_> {
 
     /// An entry, and the unit after it.
     fn entry(&self, place: Span) -> Result<(Expr, Option<Unit>), TypedError> {
-        let place = self.labelled(place).1;
+        let place = labelled(self.text, place).1;
         self.formula(place)
             .map(|entry| (entry, None))
             .or_else(|error| {

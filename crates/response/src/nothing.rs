@@ -1,29 +1,23 @@
 //! A unit after a zero that is one side of an equation, `m x'' + k x = 0 N`.
 
-use super::lexer::Lexer;
-use super::token::Item;
+use super::token::{Item, Token};
 use vibank_formula::expr::{Expr, Kind, Operator};
 use vibank_formula::unit::Unit;
 
-impl Lexer<'_> {
-    /// Takes the unit after the zero that was read, where both are a whole side.
-    pub(crate) fn unit_of_nothing(&mut self) {
-        let side = self.rest().split('=').next().unwrap_or_default();
-        let is_whole = match &self.tokens[..] {
-            [_] => side.len() < self.rest().len(),
-            [.., before, _] => before.item == Item::Sign('='),
-            [] => false,
-        };
-        let unit = side.trim_end_matches([' ', '.', ',', ';']);
-        if !is_whole || !unit.starts_with([' ', '\\']) && !unit.starts_with(char::is_alphabetic) {
-            return;
-        }
-        if let Ok(read) = Unit::read(unit.trim())
-            && !read.is_one()
-        {
-            self.take(unit.len(), Item::Unit(Box::new(read)));
-        }
+/// The unit that begins a text after the zero that was read last, where both are a whole side, and its length.
+pub(crate) fn unit_of_nothing(text: &str, tokens: &[Token]) -> Option<(Unit, usize)> {
+    let side = text.split('=').next().unwrap_or_default();
+    let is_whole = match tokens {
+        [_] => side.len() < text.len(),
+        [.., before, _] => before.item == Item::Sign('='),
+        [] => false,
+    };
+    let unit = side.trim_end_matches([' ', '.', ',', ';']);
+    if !is_whole || !unit.starts_with([' ', '\\']) && !unit.starts_with(char::is_alphabetic) {
+        return None;
     }
+    let read = Unit::read(unit.trim()).ok()?;
+    (!read.is_one()).then_some((read, unit.len()))
 }
 
 /// The unit of a side that is a zero with one, as a quantity.

@@ -89,6 +89,17 @@ pub(crate) fn in_other_case(spelling: &str) -> Option<String> {
     Some(format!("{other}{}", chars.as_str()))
 }
 
+/// Whether the letter at a place may be a small one that was typed as a capital: telephones begin with a capital, and some
+/// type in capitals throughout.
+pub(crate) fn may_be_small(text: &str, at: usize) -> bool {
+    let is_first = || !text[..at].contains(char::is_alphabetic);
+    let is_shouted = || {
+        let capitals = text.bytes().filter(u8::is_ascii_uppercase);
+        capitals.count() > 1 && !text.contains(|char: char| char.is_ascii_lowercase())
+    };
+    text[at..].starts_with(char::is_uppercase) && (is_first() || is_shouted())
+}
+
 /// A spelling without the digits at its end, and these.
 fn stem_and_index(spelling: &str) -> (&str, &str) {
     let stem = spelling.trim_end_matches(|last: char| last.is_ascii_digit());
