@@ -3,7 +3,7 @@
 use super::Lexicon;
 use super::differential::{behind, by_operator, called, leibniz, method};
 use super::letters::Letters;
-use super::vocabulary::{WordPiece, WordSense};
+use super::vocabulary::{Ending, WordPiece, WordSense};
 use vibank_formula::expr::{Expr, Kind};
 use vibank_source::Span;
 
@@ -52,7 +52,9 @@ pub(crate) fn rate_by_index(
     stem.text
         .truncate(letters.text.len().checked_sub(index.len())?);
     stem.cuts.retain(|(at, _)| *at < stem.text.len());
-    let pieces = lexicon.split(&stem, end, *order, false).ok()?;
+    let pieces = lexicon
+        .split(&stem, end, Ending::Primes(*order), false)
+        .ok()?;
     let WordSense::Leaf(leaf) = &pieces.last()?.sense else {
         return None;
     };

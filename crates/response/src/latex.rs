@@ -4,7 +4,7 @@ use super::letters::{Letters, greek_word, name_of_command};
 use super::lexer::Lexer;
 use super::subscript::subscript;
 use super::token::Item;
-use super::vocabulary::INITIAL;
+use super::vocabulary::Ending;
 use super::{Trouble, TypedError};
 use vibank_formula::expr::Function;
 
@@ -175,7 +175,7 @@ impl Lexer<'_> {
             .iter()
             .find(|call| self.rest().starts_with(**call));
         if let Some(call) = initial
-            && let Some(leaf) = self.lexicon.dotted_word(&letters.text, order + INITIAL)
+            && let Some(leaf) = self.lexicon.ended(&letters.text, Ending::Initial(order))
         {
             self.at += call.len();
             self.push(Item::Leaf(leaf), start);

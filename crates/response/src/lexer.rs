@@ -13,7 +13,7 @@ use super::signs::MIDDLE_POINT;
 use super::spellings::may_be_small;
 use super::subscript::{subscript, subscripts};
 use super::token::{Item, Token};
-use super::vocabulary::{INITIAL, WordPiece, WordSense};
+use super::vocabulary::{Ending, WordPiece, WordSense};
 use super::words::{MODULES, Powered};
 use super::{Lexicon, Manner, Trouble, TypedError};
 use vibank_dynamics::numerics::{Rational, gather};
@@ -305,25 +305,24 @@ impl<'a> Lexer<'a> {
             });
             self.at += char.len_utf8();
         }
-        if primes == 0 {
-            self.raised_primes()
-        } else {
-            primes
+        match primes {
+            0 => self.raised_primes(),
+            _ => primes,
         }
     }
 
     /// `x1''` with its subscript last, `x''_1`, where only so it is a name.
     fn late_subscript(&mut self, letters: &mut Letters, primes: u8) {
-        let is_known = |letters: &Letters| self.lexicon.split(letters, 0, primes, false).is_ok();
+        let ending = Ending::Primes(primes);
+        let is_known = |letters: &Letters| self.lexicon.split(letters, 0, ending, false).is_ok();
         if is_known(letters) {
             return;
         }
-        let (start, mut whole) = (self.at, letters.clone());
-        self.at = subscripts(self.text, self.at, &mut whole);
-        if self.at > start && self.lexicon.split(&whole, 0, primes, false).is_ok() {
+        let mut whole = letters.clone();
+        let end = subscripts(self.text, self.at, &mut whole);
+        if end > self.at && is_known(&whole) {
             *letters = whole;
-        } else {
-            self.at = start;
+            self.at = end;
         }
     }
 
@@ -468,15 +467,16 @@ impl<'a> Lexer<'a> {
         let has_bracket = next.starts_with(['(', '{', '[']) || next.starts_with("\\left");
         let mut calls = ["(0)", "\\left(0\\right)"].iter();
         if let Some(call) = calls.find(|call| next.starts_with(**call))
-            && let Ok(pieces) =
-                self.lexicon
-                    .split(letters, end, primes.saturating_add(INITIAL), false)
-            && pieces.last().is_some_and(|piece| piece.takes_primes)
+            && let Ok(pieces) = self
+                .lexicon
+                .split(letters, end, Ending::Initial(primes), false)
+            && pieces.last().is_some_and(|piece| piece.takes_ending)
         {
             self.at += self.rest().len() - next.len() + call.len();
             return self.pieces(pieces, 0);
         }
-        let pieces = match self.lexicon.split(letters, end, primes, has_bracket) {
+        let ending = Ending::Primes(primes);
+        let pieces = match self.lexicon.split(letters, end, ending, has_bracket) {
             Ok(pieces) => pieces,
             Err(_)
                 if let Some((pieces, order)) =
@@ -484,7 +484,7 @@ impl<'a> Lexer<'a> {
             {
                 return self.pieces(pieces, primes.saturating_add(order));
             }
-            Err(_) if let Some(pieces) = self.in_any_case(letters, start, end, primes) => pieces,
+            Err(_) if let Some(pieces) = self.in_any_case(letters, start, end, ending) => pieces,
             Err(_) if self.manner.values.is_some() && primes == 0 => {
                 return self.unit_or_unknown(letters, start, end);
             }
@@ -506,12 +506,12 @@ impl<'a> Lexer<'a> {
         letters: &Letters,
         start: usize,
         end: usize,
-        primes: u8,
+        ending: Ending,
     ) -> Option<Vec<WordPiece>> {
         if !self.manner.is_in_any_case || !may_be_small(self.text, start) {
             return None;
         }
-        self.lexicon.split_in_any_case(letters, end, primes)
+        self.lexicon.split_in_any_case(letters, end, ending)
     }
 
     /// Whether a run of letters that are not names is a unit: only after a number, and of one letter only the second.
@@ -531,7 +531,7 @@ impl<'a> Lexer<'a> {
             let trouble = |trouble| TypedError { trouble, span };
             let item = match piece.sense {
                 WordSense::Leaf(leaf) => {
-                    let is_primed = is_last && !piece.takes_primes;
+                    let is_primed = is_last && !piece.takes_ending;
                     let order = if is_primed { primes } else { 0 };
                     let named = Expr::new(leaf.kind().clone(), span);
                     Item::Leaf(primed(named, order, span))

@@ -5,7 +5,7 @@ use std::sync::{Arc, OnceLock};
 
 use super::letters::Letters;
 use super::near::{ends_with_function, nearest, typable};
-use super::vocabulary::{WordPiece, Words};
+use super::vocabulary::{Ending, WordPiece, Words};
 use super::{Manner, Trouble};
 use vibank_formula::expr::{Expr, Kind, Name, Notation, Substitution, Symbol};
 use vibank_notation::{Math, symbol};
@@ -242,7 +242,7 @@ impl Lexicon {
         if let Some(name) = self.moving(spelling) {
             return Some(Expr::name(name.clone()).prime(order));
         }
-        self.dotted_word(spelling, order)
+        self.ended(spelling, Ending::Primes(order))
     }
 
     /// The derivative of this order of the rate that a letter stands for, `dv/dt`.
@@ -251,20 +251,20 @@ impl Lexicon {
         Some(Expr::name(name.clone()).prime(own + order))
     }
 
-    /// The name that is spelled with this many primes.
-    pub(crate) fn dotted_word(&self, spelling: &str, primes: u8) -> Option<Expr> {
-        self.words().dotted_word(spelling, primes)
+    /// The name that is spelled with this ending.
+    pub(crate) fn ended(&self, spelling: &str, ending: Ending) -> Option<Expr> {
+        self.words().ended(spelling, ending)
     }
 
-    /// The words of a run with this many primes after it, as few as can be; the place where it sticks.
+    /// The words of a run with this ending, as few as can be; the place where it sticks.
     pub(crate) fn split(
         &self,
         letters: &Letters,
         end: usize,
-        primes: u8,
+        ending: Ending,
         has_bracket: bool,
     ) -> Result<Vec<WordPiece>, usize> {
-        self.words().split(letters, end, primes, has_bracket)
+        self.words().split(letters, end, ending, has_bracket)
     }
 
     /// The words of a run whose letters may be in the other case, `K1` for k1.
@@ -272,11 +272,11 @@ impl Lexicon {
         &self,
         letters: &Letters,
         end: usize,
-        primes: u8,
+        ending: Ending,
     ) -> Option<Vec<WordPiece>> {
         let words = || Words::in_any_case(&self.entries);
         let words = self.in_any_case.get_or_init(words);
-        words.split(letters, end, primes, false).ok()
+        words.split(letters, end, ending, false).ok()
     }
 }
 

@@ -31,12 +31,21 @@ pub(crate) struct Words {
 struct Word {
     spelling: String,
     sense: WordSense,
-    /// The number of primes with which it is written.
-    primes: u8,
+    ending: Ending,
 }
 
-/// Added to the primes of a name that is written as an initial value, `x(0)`.
-pub(crate) const INITIAL: u8 = 100;
+/// What stands after the letters of a word.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Ending {
+    /// So many primes.
+    Primes(u8),
+    /// So many primes and the start in brackets, as initial values have them, `x'(0)`.
+    Initial(u8),
+}
+
+impl Ending {
+    const NONE: Self = Self::Primes(0);
+}
 
 /// What a word means.
 #[derive(Clone, Debug, PartialEq)]
@@ -72,8 +81,8 @@ pub(crate) struct WordPiece {
     /// Places in the source.
     pub(crate) start: usize,
     pub(crate) end: usize,
-    /// Whether it is spelled with the primes that follow.
-    pub(crate) takes_primes: bool,
+    /// Whether what follows is a part of its spelling.
+    pub(crate) takes_ending: bool,
 }
 
 impl Words {
@@ -131,11 +140,11 @@ impl Words {
                 let Some(word) = in_other_case(&spelling).filter(|word| !self.knows(word)) else {
                     continue;
                 };
-                self.add(&word, WordSense::of_name(name), 0);
+                self.add(&word, WordSense::of_name(name));
                 let orders: &[u8] = if *is_moving { &[1, 2] } else { &[] };
                 for order in orders {
                     for rate in rates(&word, *order) {
-                        self.add(&rate, WordSense::of_rate(name, *order), 0);
+                        self.add(&rate, WordSense::of_rate(name, *order));
                     }
                 }
             }
@@ -153,17 +162,17 @@ impl Words {
             (Constant::Pi, "MPI"),
             (Constant::E, "e"),
         ] {
-            words.add(spelling, WordSense::Leaf(Expr::constant(constant)), 0);
+            words.add(spelling, WordSense::Leaf(Expr::constant(constant)));
         }
-        words.add("i", WordSense::Imaginary, 0);
-        words.add("j", WordSense::Imaginary, 0);
-        words.add("log", WordSense::Logarithm, 0);
+        words.add("i", WordSense::Imaginary);
+        words.add("j", WordSense::Imaginary);
+        words.add("log", WordSense::Logarithm);
         for (name, powered) in POWERS {
-            words.add(name, WordSense::Power(*powered), 0);
+            words.add(name, WordSense::Power(*powered));
         }
         let infinity = WordSense::Leaf(Expr::constant(Constant::Infinity));
         for name in INFINITY {
-            words.add(name, infinity.clone(), 0);
+            words.add(name, infinity.clone());
         }
         let is_scalar = |function: &Function| {
             !matches!(
@@ -209,23 +218,23 @@ impl Words {
                 None => (base, 1),
             };
             if let Some(base) = Letters::spelling(base.trim_end_matches('_')) {
-                self.add(&base, sense.clone(), primes);
+                self.add_ended(&base, sense.clone(), Ending::Primes(primes));
                 let dots = if primes == 2 { "ddot" } else { "dot" };
-                self.add(&format!("{dots}{base}"), sense.clone(), 0);
+                self.add(&format!("{dots}{base}"), sense.clone());
             }
         }
         let plain = math.plain();
         if let Some(value) = plain.strip_suffix("(0)") {
             let (base, order) = undotted(value)
                 .unwrap_or_else(|| (Letters::spelling(value).unwrap_or_default(), 0));
-            self.add(&base, sense.clone(), order + INITIAL);
+            self.add_ended(&base, sense.clone(), Ending::Initial(order));
         }
         if let Some((base, order)) = undotted(&plain) {
-            self.add(&base, sense.clone(), order);
+            self.add_ended(&base, sense.clone(), Ending::Primes(order));
             // `theta0dot`, `thetadot0` for a datum that is printed with its dots.
             for word in rates(&base, order) {
                 if !self.is_taken(&word) {
-                    self.add(&word, sense.clone(), 0);
+                    self.add(&word, sense.clone());
                 }
             }
         }
@@ -250,7 +259,7 @@ impl Words {
         if self.latin.contains(&own) {
             self.replace(&own, WordSense::NotAllowed);
         } else if !self.knows(&own) {
-            self.add(&own, WordSense::NotAllowed, 0);
+            self.add(&own, WordSense::NotAllowed);
         }
     }
 
@@ -263,7 +272,7 @@ impl Words {
     fn word(&self, spelling: &str) -> Option<&Word> {
         let places = self.by_letter.get(spelling.as_bytes().first()?)?;
         let mut words = places.iter().map(|place| &self.words[*place]);
-        words.find(|word| word.spelling == spelling && word.primes == 0)
+        words.find(|word| word.spelling == spelling && word.ending == Ending::NONE)
     }
 
     /// The name of this spelling.
@@ -279,7 +288,7 @@ impl Words {
 
     /// The name and the order of the rate that a word alone stands for.
     pub(crate) fn rate(&self, spelling: &str) -> Option<(&Name, u8)> {
-        let own = |word: &&Word| word.spelling == spelling && word.primes == 0;
+        let own = |word: &&Word| word.spelling == spelling && word.ending == Ending::NONE;
         let WordSense::Leaf(leaf) = &self.words.iter().find(own)?.sense else {
             return None;
         };
@@ -292,21 +301,21 @@ impl Words {
         }
     }
 
-    /// The name that is spelled with this many primes.
-    pub(crate) fn dotted_word(&self, spelling: &str, primes: u8) -> Option<Expr> {
-        let own = |word: &&Word| word.spelling == spelling && word.primes == primes;
+    /// The name that is spelled with this ending.
+    pub(crate) fn ended(&self, spelling: &str, ending: Ending) -> Option<Expr> {
+        let own = |word: &&Word| word.spelling == spelling && word.ending == ending;
         match &self.words.iter().find(own)?.sense {
             WordSense::Leaf(leaf) => Some(leaf.clone()),
             _ => None,
         }
     }
 
-    /// The words of a run with this many primes after it, as few as can be; the place where it sticks.
+    /// The words of a run with this ending, as few as can be; the place where it sticks.
     pub(crate) fn split(
         &self,
         letters: &Letters,
         end: usize,
-        primes: u8,
+        ending: Ending,
         has_bracket: bool,
     ) -> Result<Vec<WordPiece>, usize> {
         let text = &letters.text;
@@ -332,7 +341,7 @@ impl Words {
                 let Word {
                     spelling,
                     sense,
-                    primes: own,
+                    ending: own,
                 } = &self.words[word];
                 if !text[*at..].starts_with(spelling.as_str()) {
                     continue;
@@ -349,11 +358,12 @@ impl Words {
                     WordSense::Power(_) => is_last && has_bracket,
                     _ => true,
                 };
-                if !is_bare || *own > 0 && !(is_last && *own == primes) {
+                let has_ending = *own != Ending::NONE;
+                if !is_bare || has_ending && !(is_last && *own == ending) {
                     continue;
                 }
-                // A name that is spelled with its primes goes before the derivative of another.
-                let cost = cost + price(sense) - u32::from(*own > 0);
+                // A name that is spelled with its ending goes before the derivative of another.
+                let cost = cost + price(sense) - u32::from(has_ending);
                 if best[to].is_none_or(|(old, ..)| cost < old) {
                     best[to] = Some((cost, from, word));
                 }
@@ -372,7 +382,7 @@ impl Words {
                 sense: self.words[word].sense.clone(),
                 start: places[from].1,
                 end: places[to].1,
-                takes_primes: self.words[word].primes > 0,
+                takes_ending: self.words[word].ending != Ending::NONE,
             });
             to = from;
         }
@@ -396,11 +406,16 @@ impl Words {
     /// Adds a word that is not known.
     fn offer(&mut self, spelling: &str, sense: &WordSense) {
         if !self.knows(spelling) {
-            self.add(spelling, sense.clone(), 0);
+            self.add(spelling, sense.clone());
         }
     }
 
-    fn add(&mut self, spelling: &str, sense: WordSense, primes: u8) {
+    fn add(&mut self, spelling: &str, sense: WordSense) {
+        self.add_ended(spelling, sense, Ending::NONE);
+    }
+
+    /// Adds a word that is spelled with what stands after it.
+    fn add_ended(&mut self, spelling: &str, sense: WordSense, ending: Ending) {
         let Some(&first) = spelling.as_bytes().first() else {
             return;
         };
@@ -411,7 +426,7 @@ impl Words {
         self.words.push(Word {
             spelling: spelling.to_owned(),
             sense,
-            primes,
+            ending,
         });
     }
 
@@ -420,22 +435,22 @@ impl Words {
         let found = self
             .words
             .iter_mut()
-            .find(|word| word.spelling == spelling && word.primes == 0);
+            .find(|word| word.spelling == spelling && word.ending == Ending::NONE);
         match found {
             Some(word) => word.sense = sense,
-            None => self.add(spelling, sense, 0),
+            None => self.add(spelling, sense),
         }
     }
 
     fn add_function(&mut self, name: &str, function: Function) {
         let spelling = name.replace('_', "");
-        self.add(&spelling, WordSense::Function(function), 0);
+        self.add(&spelling, WordSense::Function(function));
     }
 
     /// `L` for ℓ and `L1` for ℓ₁, where no name of the item has that letter.
     fn add_lengths(&mut self) {
         let is_length = |word: &Word| {
-            let is_own = word.primes == 0 && matches!(word.sense, WordSense::Leaf(_));
+            let is_own = word.ending == Ending::NONE && matches!(word.sense, WordSense::Leaf(_));
             let word_for_it = length(&word.spelling).filter(|_| is_own)?;
             Some((word_for_it, word.sense.clone()))
         };
@@ -473,13 +488,13 @@ impl Words {
         self.moving.push((spelling.to_owned(), name.clone()));
         for word in second_rates(spelling) {
             if !self.is_taken(&word) {
-                self.add(&word, WordSense::of_rate(name, 2), 0);
+                self.add(&word, WordSense::of_rate(name, 2));
             }
         }
         for order in [1, 2] {
             let written = (order == 1).then(|| format!("d{spelling}dt"));
             for word in rates(spelling, order).into_iter().chain(written) {
-                self.add(&word, WordSense::of_rate(name, order), 0);
+                self.add(&word, WordSense::of_rate(name, order));
             }
         }
     }
