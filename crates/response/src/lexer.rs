@@ -508,10 +508,17 @@ impl<'a> Lexer<'a> {
         end: usize,
         ending: Ending,
     ) -> Option<Vec<WordPiece>> {
-        if !self.manner.is_in_any_case || !may_be_small(self.text, start) {
+        if !self.manner.is_in_any_case {
             return None;
         }
-        self.lexicon.split_in_any_case(letters, end, ending)
+        let pieces = self.lexicon.split_in_any_case(letters, end, ending)?;
+        // Who types `M` and `m` means two things.
+        let is_alone = |piece: &WordPiece| {
+            let own = &self.text[piece.start..piece.end];
+            with_other_case(own).is_none_or(|other| !self.text.contains(&other))
+        };
+        let is_meant = may_be_small(self.text, start) || pieces.iter().all(is_alone);
+        is_meant.then_some(pieces)
     }
 
     /// Whether a run of letters that are not names is a unit: only after a number, and of one letter only the second.

@@ -5,10 +5,24 @@ use super::letters::{Letters, combining, dotted, greek_word};
 use vibank_formula::expr::Name;
 use vibank_notation::{Math, symbol};
 
-/// With the letter that looks like ω, `w0` for ω₀.
-pub(crate) fn latin(spelling: &str) -> Option<String> {
-    let rest = spelling.strip_prefix("omega")?;
-    Some(format!("w{rest}"))
+/// Greek letters as people shorten them, or with the letter that looks alike; the likelier ones first.
+const SHORTENED: [(&str, &str); 7] = [
+    ("omega", "w"),
+    ("omega", "om"),
+    ("Omega", "Om"),
+    ("theta", "th"),
+    ("theta", "teta"),
+    ("theta", "thetha"),
+    ("epsilon", "eps"),
+];
+
+/// A Greek letter shortened, `w0` for ω₀ and `th1` for θ₁.
+pub(crate) fn shortened(spelling: &str) -> impl Iterator<Item = String> {
+    let all = SHORTENED.iter();
+    all.filter_map(move |(letter, short)| {
+        let rest = spelling.strip_prefix(letter)?;
+        Some(format!("{short}{rest}"))
+    })
 }
 
 /// The other spellings of a name, of which `own` is the spelling, by its symbol; the likelier ones first.
@@ -35,16 +49,16 @@ pub(crate) fn others(name: &Name, own: &str, math: &Math) -> impl Iterator<Item 
         usual,
         lambda,
         misspelled,
-        latin(own),
-        printed.as_deref().and_then(latin),
         in_ells(own, printed.as_deref()),
         varied,
         difference("D"),
         difference("delta"),
         turned(own),
     ];
+    let short = [Some(own), printed.as_deref()].into_iter().flatten();
+    let short: Vec<String> = short.flat_map(shortened).collect();
     let others = [printed].into_iter().chain(spellings);
-    others.flatten().filter(move |spelling| spelling != own)
+    others.flatten().chain(short).filter(move |spelling| spelling != own)
 }
 
 /// `l1` for a letter that is printed ℓ₁, and `\ell` for one that is printed l.

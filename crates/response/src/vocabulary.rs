@@ -9,7 +9,7 @@ use super::customary::{
 use super::letters::Letters;
 use super::lexicon::LexiconEntry;
 use super::near::typable;
-use super::spellings::{first_rates, in_other_case, latin, others, rates, second_rates, undotted};
+use super::spellings::{first_rates, in_other_case, others, rates, second_rates, shortened, undotted};
 use super::words::{ALIASES, BARE, INFINITY, POWERS, Powered};
 use vibank_formula::expr::{Constant, Expr, Function, Kind, Name};
 use vibank_notation::Math;
@@ -21,8 +21,8 @@ pub(crate) struct Words {
     /// Words by first letter.
     by_letter: BTreeMap<u8, Vec<usize>>,
     allowed: Vec<String>,
-    /// Spellings with a letter that looks like the right one.
-    latin: Vec<String>,
+    /// Spellings with a Greek letter shortened.
+    shortened: Vec<String>,
     /// Spellings of the names that move with time.
     moving: Vec<(String, Name)>,
 }
@@ -238,9 +238,9 @@ impl Words {
                 }
             }
         }
-        self.latin.extend(latin(&own));
-        self.latin
-            .extend(Letters::spelling(&plain).as_deref().and_then(latin));
+        let printed = Letters::spelling(&plain).unwrap_or_default();
+        self.shortened
+            .extend([own.as_str(), &printed].into_iter().flat_map(shortened));
         for spelling in others(name, &own, math) {
             if !self.is_taken(&spelling) {
                 self.replace(&spelling, sense.clone());
@@ -256,7 +256,7 @@ impl Words {
         let Some(own) = Letters::spelling(name.as_str()) else {
             return;
         };
-        if self.latin.contains(&own) {
+        if self.shortened.contains(&own) {
             self.replace(&own, WordSense::NotAllowed);
         } else if !self.knows(&own) {
             self.add(&own, WordSense::NotAllowed);
