@@ -30,6 +30,7 @@ mod mode_shape;
 mod naming;
 mod numeric;
 mod remark;
+mod rounded;
 mod settle;
 mod shared;
 mod symbolic;

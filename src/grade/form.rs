@@ -34,7 +34,8 @@ pub(crate) fn otherwise(
     let typed = folded.passage();
     let sides = typed.statement();
     // A key in the other form is prepared only where it may decide.
-    if sides.len() < 2 && !is_open {
+    let may_have_both = sides.len() > 1 && part.answer.kind() != AnswerKind::Equation;
+    if !may_have_both && !is_open {
         return None;
     }
     let is_of_value = part.answer.kind() == AnswerKind::Numeric;
@@ -50,10 +51,11 @@ pub(crate) fn otherwise(
         naming: &part.naming,
         mark: solution.mark(),
     };
-    let marking = if is_of_value {
-        forms.value(solution, sides)
-    } else {
-        forms.formula(sides)
+    let marking = match part.answer.kind() {
+        AnswerKind::Numeric => forms.value(solution, sides),
+        // The sides of an equation are no forms of one value.
+        AnswerKind::Equation => None,
+        _ => forms.formula(sides),
     };
     if marking.is_some() {
         return marking;
@@ -332,16 +334,21 @@ fn share(solution: &Solution<'_>, place: usize, sheet: &Sheet<'_>) -> Option<Cre
         let dimension = template.graph.kind(key)?.dimension();
         Some((solution.evaluation().real(key).ok()?, dimension))
     };
-    let own = key(place)?;
-    let is_asked_again = sheet.asked.iter().any(|at| {
-        *at != place
-            && key(*at).is_some_and(|(value, dimension)| {
+    // An equation is no value that another part may ask for.
+    let is_asked_again = || {
+        let own = key(place)?;
+        let is_same = |at: &usize| {
+            key(*at).is_some_and(|(value, dimension)| {
                 // Both values are computed from the same data, and neither was rounded by a person.
                 const SAME: f64 = 1e-12;
                 dimension == own.1 && (value - own.0).abs() <= SAME * own.0.abs()
             })
-    });
-    if is_asked_again {
+        };
+        let mut others = sheet.asked.iter().filter(|at| **at != place);
+        Some(others.any(is_same))
+    };
+    let is_equation = template.parts[place].answer.kind() == AnswerKind::Equation;
+    if !is_equation && is_asked_again()? {
         return None;
     }
     sheet

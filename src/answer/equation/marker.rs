@@ -9,12 +9,13 @@ use super::root::without_roots;
 use super::rows::Rows;
 use super::system::System;
 use super::{Arc, Setup, read, told, written};
+use crate::answer::rounded::exact_forms;
 use crate::answer::settle::{Candidate, settle_by_rule};
 use crate::answer::{
     Beside, Credit, Doubt, Echo, Equations, Key, Marker, Marking, Misfit, Nature, Note, Reading,
     Remark, Slip, Trial, Unreadable, Verdict, Why,
 };
-use crate::expr::{Equation, Kind, Name, Program};
+use crate::expr::{Equation, Expr, Kind, Name, Program};
 use crate::numerics::Rational;
 use crate::response::Passage;
 use crate::work;
@@ -203,6 +204,7 @@ impl Marker for Prepared {
         };
         // Looked for only where the conventional reading is not right.
         let readings = std::iter::once_with(|| read::others(setup, response, &equations)).flatten();
+        let readings = readings.chain(std::iter::once_with(|| exact(&equations)).flatten());
         let first = self.judged(equations.clone(), others);
         let written = || written(&equations);
         let marking = settle_by_rule(self.doubt, first, written, readings.map(candidate));
@@ -252,6 +254,18 @@ impl Prepared {
         }
         self.wrong(reading, &equations, &typed, &system)
     }
+}
+
+/// The equations of which these may be rounded forms.
+fn exact(equations: &[Equation]) -> Vec<Vec<Equation>> {
+    let sides = equations.iter().flat_map(|own| [&own.left, &own.right]);
+    let sides: Vec<Expr> = sides.cloned().collect();
+    let paired = |sides: Vec<Expr>| {
+        let (pairs, _) = sides.as_chunks();
+        let pairs = pairs.iter().cloned();
+        pairs.map(|[left, right]| Equation { left, right }).collect()
+    };
+    exact_forms(&sides).map(paired).collect()
 }
 
 /// The marking of fewer independent equations than are asked.

@@ -50,6 +50,16 @@ use crate::source::{Table, Text, Value};
 struct Equations {
     setup: Arc<Setup>,
     mistakes: Vec<(usize, Vec<Equation>)>,
+    form: Form,
+}
+
+/// In what equations are compared.
+#[derive(Debug)]
+enum Form {
+    /// In letters, for any data; the other form is at hand.
+    Letters(Box<Equations>),
+    /// With the values of the instance in place of letters, `0.5 x'' + 80 x = 0`.
+    Values,
 }
 
 #[derive(Debug)]
@@ -115,18 +125,25 @@ pub(crate) fn read(part: &Table<'_>, declare: &mut dyn Declare) -> Option<Box<dy
     }
     let time = Name::new("t");
     lexicon.allow(&time, crate::math::symbol("t"), false);
-    Some(Box::new(Equations {
-        setup: Arc::new(Setup {
-            key,
-            unknowns: names,
-            meaning,
-            lexicon,
-            letters,
-            compiled: Shared::default(),
-            choices: BySigns::default(),
-            printed: OnceLock::new(),
-        }),
+    let setup = Arc::new(Setup {
+        key,
+        unknowns: names,
+        meaning,
+        lexicon,
+        letters,
+        compiled: Shared::default(),
+        choices: BySigns::default(),
+        printed: OnceLock::new(),
+    });
+    let in_values = Equations {
+        setup: Arc::clone(&setup),
         mistakes: Vec::new(),
+        form: Form::Values,
+    };
+    Some(Box::new(Equations {
+        setup,
+        mistakes: Vec::new(),
+        form: Form::Letters(Box::new(in_values)),
     }))
 }
 
@@ -164,6 +181,13 @@ impl Answer for Equations {
 
     fn keys(&self) -> Vec<NodeId> {
         Vec::new()
+    }
+
+    fn other_form(&self) -> Option<&dyn Answer> {
+        match &self.form {
+            Form::Letters(other) => Some(&**other),
+            Form::Values => None,
+        }
     }
 
     fn keeps_mistakes(&self) -> bool {
@@ -232,7 +256,10 @@ impl Answer for Equations {
             let centres = context.sampling.centres(&setup.meaning, &signs);
             Choices::around(setup, &key, centres)
         };
-        let choices = setup.choices.kept(&signs, context, around);
+        let choices = match self.form {
+            Form::Letters(_) => setup.choices.kept(&signs, context, around),
+            Form::Values => Arc::new(Choices::of_instance(setup, &key, &data)),
+        };
         let mut mistakes = Vec::new();
         for mistaken in &context.mistakes {
             let own = self

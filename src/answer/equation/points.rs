@@ -39,7 +39,15 @@ impl Choices {
             let data = data(&mut around, spread);
             beside(setup, key, &mut around, &data)
         };
-        let points: Vec<Choice> = (0..=DATA_POINTS).map(choice).collect();
+        Self::at((0..=DATA_POINTS).map(choice).collect(), key)
+    }
+
+    /// The data of an instance alone.
+    pub(crate) fn of_instance(setup: &Setup, key: &[Program], data: &[Option<f64>]) -> Self {
+        Self::at(vec![of_instance(setup, key, data)], key)
+    }
+
+    fn at(points: Vec<Choice>, key: &[Program]) -> Self {
         let key: Vec<&Program> = key.iter().collect();
         let spaces = points.iter().map(|points| RowSpace::of(&key, points));
         Self {

@@ -6,7 +6,8 @@ use std::sync::Arc;
 use super::Setup;
 use super::slip::slip;
 use crate::answer::equality::{Comparable, Comparison, Points};
-use crate::answer::settle::{Candidate, settle_by_rule};
+use crate::answer::rounded::exact_forms;
+use crate::answer::settle::{Candidate, Rule, settle, settle_by_rule};
 use crate::answer::{
     Answered, Close, Credit, Doubt, Echo, Key, Marker, Marking, Misfit, Nature, Note, Reading,
     Reason, Remark, Slip, Trial, Unreadable, Verdict, Why,
@@ -56,23 +57,42 @@ impl Prepared {
         };
         let written = || self.setup.lexicon.written(&first.expr);
         let marking = self.judged(&first);
-        let marking = settle_by_rule(self.doubt, marking, written, readings.map(candidate));
-        Ok(match marking.verdict {
-            Verdict::Right if self.contradicts_itself(response) => match marking.reading {
-                Some(reading) => Marking::wrong(reading, Remark::from(Slip::UnequalSides)),
-                None => marking,
-            },
-            Verdict::Wrong => self.before_rounding(response, &marking).unwrap_or(marking),
+        let mut marking = settle_by_rule(self.doubt, marking, written, readings.map(candidate));
+        if is_rounded(&marking) {
+            if let Some(right) = self.before_rounding(response) {
+                return Ok(right);
+            }
+            marking = self.settle_rounded(&first, marking);
+        }
+        Ok(match (marking.verdict, &marking.reading) {
+            (Verdict::Right, Some(reading)) if self.contradicts_itself(response) => {
+                Marking::wrong(reading.clone(), Remark::from(Slip::UnequalSides))
+            }
             _ => marking,
         })
     }
 
+    /// The marking of a formula that is nearly right, whose numbers may be rounded: `0.0833 M l²`.
+    fn settle_rounded(&self, read: &Read, marking: Marking) -> Marking {
+        let written = |expr: &Expr| self.setup.lexicon.written(expr);
+        let exact = exact_forms(std::slice::from_ref(&read.expr)).flatten();
+        let exact = exact.map(|expr| Candidate {
+            shown: written(&expr),
+            marking: self.judged(&Read {
+                misfit: self.misfit(&expr),
+                expr,
+            }),
+        });
+        let first = Candidate {
+            shown: written(&read.expr),
+            marking,
+        };
+        settle(self.doubt, Rule::None, first, exact)
+    }
+
     /// The marking of a formula before its form with rounded numbers, `√(2k/m) ≈ 1.414 √(k/m)`, if it is right and all
     /// other sides are the same or its rounded forms.
-    fn before_rounding(&self, response: Passage<'_>, last: &Marking) -> Option<Marking> {
-        if !is_rounded(last) {
-            return None;
-        }
+    fn before_rounding(&self, response: Passage<'_>) -> Option<Marking> {
         let sides = response.sides(&self.setup.lexicon).ok()?;
         let (_, before) = sides.split_last()?;
         let mut right = None;
