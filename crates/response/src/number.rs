@@ -331,7 +331,7 @@ impl Lexer<'_> {
     }
 
     /// Takes a run of letters that is not a word as a unit, `rad/s`, or as a constant before one, `iΩ`; whether it is.
-    fn unit_of_run(&mut self, letters: &Letters, start: usize, end: usize) -> bool {
+    pub(crate) fn unit_of_run(&mut self, letters: &Letters, start: usize, end: usize) -> bool {
         if self.manner.values.is_none() {
             return false;
         }
