@@ -2,6 +2,7 @@
 
 use std::f64::consts::PI;
 
+use super::{Credit, Doubt, Marking, Note, Remark, Why};
 use crate::expr::{Constant, Expr, Function, Kind};
 use crate::numerics::Rational;
 
@@ -22,6 +23,30 @@ pub(crate) fn exact_forms(formulas: &[Expr]) -> impl Iterator<Item = Vec<Expr>> 
             .collect();
         all.ok().filter(|_| is_any)
     })
+}
+
+/// The part by which a formula may be off from the exact one for the rounding of its decimals; none where it has none of
+/// three figures.
+pub(crate) fn rounding(formula: &Expr) -> Option<f64> {
+    let mut largest: f64 = 0.0;
+    formula.walk(&mut |node| {
+        if let Kind::Number(value) = node.kind()
+            && let Some(decimal) = Decimal::of(*value)
+        {
+            largest = largest.max(decimal.half / decimal.value);
+        }
+    });
+    Some(largest).filter(|largest| *largest > 0.0)
+}
+
+/// The marking of an answer that is right but for the rounding of numbers: right on paper, handed back where one can ask.
+pub(crate) fn settle_rounded(doubt: Doubt, right: Marking) -> Marking {
+    match (doubt, right.reading) {
+        (Doubt::Benefit, Some(reading)) => {
+            Marking::read(reading, Credit::FULL, Remark::from(Note::RoundedNumbers))
+        }
+        _ => Marking::unreadable(Why::RoundedNumbers),
+    }
 }
 
 /// The exact number of which a decimal is rounded.

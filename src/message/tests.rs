@@ -233,6 +233,7 @@ fn notes() -> Vec<Note> {
         Note::RightTogether,
         Note::OthersBelongElsewhere,
         Note::OtherForm,
+        Note::RoundedNumbers,
         Note::ConstantsToSpare {
             needed: 4,
             found: 5,
@@ -372,6 +373,7 @@ fn reasons() -> Vec<Why> {
         Why::EquationNumber,
         Why::InitialState,
         Why::IncomparableEquation,
+        Why::RoundedNumbers,
         Why::ValuesForLetters,
         Why::EntriesAsNumbers,
         Why::IncomparableEntries,

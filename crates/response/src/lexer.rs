@@ -10,7 +10,7 @@ use super::differential::{method, operator};
 use super::digits::fraction;
 use super::letters::{Letters, combining, dotted, greek, greek_word, name_of_command};
 use super::signs::MIDDLE_POINT;
-use super::spellings::may_be_small;
+use super::spellings::{may_be_small, with_other_case};
 use super::subscript::{subscript, subscripts};
 use super::token::{Item, Token};
 use super::vocabulary::{Ending, WordPiece, WordSense};

@@ -61,12 +61,12 @@ pub(crate) fn others(name: &Name, own: &str, math: &Math) -> impl Iterator<Item 
     others.flatten().chain(short).filter(move |spelling| spelling != own)
 }
 
-/// `l1` for a letter that is printed ℓ₁, and `\ell` for one that is printed l.
+/// `l1` for a letter that is printed ℓ₁, and `\ell` for one that is printed l or L.
 fn in_ells(own: &str, printed: Option<&str>) -> Option<String> {
     if let Some(rest) = printed.and_then(|printed| printed.strip_prefix("ell")) {
         return Some(format!("l{rest}"));
     }
-    let index = own.strip_prefix('l')?;
+    let index = own.strip_prefix(['l', 'L'])?;
     let is_index = index.bytes().all(|byte| byte.is_ascii_digit());
     is_index.then(|| format!("ell{index}"))
 }
@@ -86,7 +86,7 @@ fn turned(own: &str) -> Option<String> {
 pub(crate) fn in_other_case(spelling: &str) -> Option<String> {
     const OWN_SENSE: [char; 8] = ['t', 'T', 'e', 'E', 'i', 'I', 'j', 'J'];
     // Capitals that mean something else in this field, and those of the constants.
-    const OTHERS: [&str; 5] = ["omega", "delta", "sigma", "gamma", "pi"];
+    const OTHERS: [&str; 7] = ["omega", "delta", "Delta", "sigma", "Sigma", "gamma", "pi"];
     let mut chars = spelling.chars();
     let first = chars.next().unwrap_or_default();
     let (stem, _) = stem_and_index(spelling);
@@ -95,6 +95,13 @@ pub(crate) fn in_other_case(spelling: &str) -> Option<String> {
     if !is_greek && (OWN_SENSE.contains(&first) || !is_one_letter()) {
         return None;
     }
+    with_other_case(spelling)
+}
+
+/// A text whose first letter has the other case; none where it is not an ASCII letter.
+pub(crate) fn with_other_case(text: &str) -> Option<String> {
+    let mut chars = text.chars();
+    let first = chars.next().filter(char::is_ascii_alphabetic)?;
     let other = if first.is_ascii_uppercase() {
         first.to_ascii_lowercase()
     } else {

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use super::customary::{
-    CustomaryRate, DECAY_RATES, bare_frequency, decay_rate, indexed_frequencies, length,
+    CustomaryRate, DECAY_RATES, bare_frequency, damped, decay_rate, indexed_frequencies, initial_state, length,
     natural_frequency, velocities,
 };
 use super::letters::Letters;
@@ -114,6 +114,12 @@ impl Words {
                 words.offer(&word, &WordSense::of_name(name));
             }
         }
+        for (word, meaning) in damped(entries) {
+            words.offer(word, &WordSense::Leaf(meaning));
+        }
+        for (letter, order, name) in initial_state(entries) {
+            words.add(letter, WordSense::of_name(name), order + INITIAL);
+        }
         if let Some(rate) = decay_rate {
             for word in DECAY_RATES {
                 words.offer(word, &WordSense::Leaf(rate.clone()));
@@ -131,13 +137,18 @@ impl Words {
 
     /// The names in the other case, where the item has no such name.
     fn add_other_case(&mut self, entries: &[LexiconEntry]) {
+        // `ω` for Ω is no natural frequency only where the item has none.
+        let names = || entries.iter().map(|entry| entry.name().as_str());
+        let has_natural = names().any(|name| name.starts_with("omega"));
         for entry in entries {
             let LexiconEntry::Allowed(name, symbol, is_moving) = entry else {
                 continue;
             };
             let spellings = [name.as_str(), &symbol.plain()].map(Letters::spelling);
             for spelling in spellings.into_iter().flatten() {
-                let Some(word) = in_other_case(&spelling).filter(|word| !self.knows(word)) else {
+                let word = in_other_case(&spelling).filter(|word| !self.knows(word));
+                let Some(word) = word.filter(|word| !(has_natural && word.starts_with("omega")))
+                else {
                     continue;
                 };
                 self.add(&word, WordSense::of_name(name));

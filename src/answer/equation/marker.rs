@@ -9,7 +9,7 @@ use super::root::without_roots;
 use super::rows::Rows;
 use super::system::System;
 use super::{Arc, Setup, read, told, written};
-use crate::answer::rounded::exact_forms;
+use crate::answer::rounded::{exact_forms, settle_rounded};
 use crate::answer::settle::{Candidate, settle_by_rule};
 use crate::answer::{
     Beside, Credit, Doubt, Echo, Equations, Key, Marker, Marking, Misfit, Nature, Note, Reading,
@@ -204,12 +204,19 @@ impl Marker for Prepared {
         };
         // Looked for only where the conventional reading is not right.
         let readings = std::iter::once_with(|| read::others(setup, response, &equations)).flatten();
-        let readings = readings.chain(std::iter::once_with(|| exact(&equations)).flatten());
         let first = self.judged(equations.clone(), others);
         let written = || written(&equations);
         let marking = settle_by_rule(self.doubt, first, written, readings.map(candidate));
         if marking.verdict == Verdict::Right {
             return marking;
+        }
+        let mut exact = exact(&equations).into_iter();
+        let is_key = |equations: Vec<Equation>| {
+            let compared = self.compared(equations);
+            compared.is_some_and(|(_, _, rows)| rows == Rows::Same)
+        };
+        if marking.verdict == Verdict::Wrong && exact.any(is_key) {
+            return settle_rounded(self.doubt, marking);
         }
         // `M x'' + … = 0, M = 3m/2`, where M is a letter of the question, too.
         let defined = read::defined(setup, response, true);

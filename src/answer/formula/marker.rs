@@ -6,8 +6,8 @@ use std::sync::Arc;
 use super::Setup;
 use super::slip::slip;
 use crate::answer::equality::{Comparable, Comparison, Points};
-use crate::answer::rounded::exact_forms;
-use crate::answer::settle::{Candidate, Rule, settle, settle_by_rule};
+use crate::answer::rounded::{exact_forms, rounding, settle_rounded};
+use crate::answer::settle::{Candidate, settle_by_rule};
 use crate::answer::{
     Answered, Close, Credit, Doubt, Echo, Key, Marker, Marking, Misfit, Nature, Note, Reading,
     Reason, Remark, Slip, Trial, Unreadable, Verdict, Why,
@@ -62,7 +62,7 @@ impl Prepared {
             if let Some(right) = self.before_rounding(response) {
                 return Ok(right);
             }
-            marking = self.settle_rounded(&first, marking);
+            marking = self.settle_rounded(&first).unwrap_or(marking);
         }
         Ok(match (marking.verdict, &marking.reading) {
             (Verdict::Right, Some(reading)) if self.contradicts_itself(response) => {
@@ -72,22 +72,21 @@ impl Prepared {
         })
     }
 
-    /// The marking of a formula that is nearly right, whose numbers may be rounded: `0.0833 M l²`.
-    fn settle_rounded(&self, read: &Read, marking: Marking) -> Marking {
-        let written = |expr: &Expr| self.setup.lexicon.written(expr);
-        let exact = exact_forms(std::slice::from_ref(&read.expr)).flatten();
-        let exact = exact.map(|expr| Candidate {
-            shown: written(&expr),
-            marking: self.judged(&Read {
-                misfit: self.misfit(&expr),
-                expr,
-            }),
-        });
-        let first = Candidate {
-            shown: written(&read.expr),
-            marking,
+    /// The marking of a formula that is the key but for the rounding of its numbers: `0.0833 M l²`, `0.765 √(k/m)`.
+    fn settle_rounded(&self, Read { expr, misfit }: &Read) -> Option<Marking> {
+        let rounding = rounding(expr)?;
+        let typed = self.comparable(expr)?;
+        let is_factor = matches!(
+            self.points.compare(&self.key, &typed),
+            Comparison::Different { ratio: Some(ratio), .. } if (ratio - 1.0).abs() <= rounding
+        );
+        let is_key = |expr: &Expr| {
+            let exact = self.comparable(expr);
+            exact.is_some_and(|exact| self.points.compare(&self.key, &exact) == Comparison::Same)
         };
-        settle(self.doubt, Rule::None, first, exact)
+        let mut exact = exact_forms(std::slice::from_ref(expr)).flatten();
+        let is_right = misfit.is_none() && (is_factor || exact.any(|exact| is_key(&exact)));
+        is_right.then(|| settle_rounded(self.doubt, Marking::right(self.reading(expr))))
     }
 
     /// The marking of a formula before its form with rounded numbers, `√(2k/m) ≈ 1.414 √(k/m)`, if it is right and all

@@ -189,6 +189,8 @@ pub enum Why {
     InitialState,
     /// An equation that cannot be compared.
     IncomparableEquation,
+    /// Right but for the rounding of numbers that a formula asks for exactly.
+    RoundedNumbers,
     /// Values in place of the letters of the question.
     ValuesForLetters,
 

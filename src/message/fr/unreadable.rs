@@ -169,6 +169,9 @@ fn why(why: &Why) -> String {
         Why::IncomparableEquation => {
             "cette équation ne peut pas être comparée ; écrivez-la plus simplement.".to_owned()
         }
+        Why::RoundedNumbers => {
+            "donnez-en les nombres exactement, par des fractions, des racines ou des multiples de π.".to_owned()
+        }
         Why::ValuesForLetters => {
             "écrivez l’équation avec les lettres de l’énoncé, pas avec leurs valeurs.".to_owned()
         }
