@@ -28,10 +28,19 @@ pub(crate) fn exact_forms(formulas: &[Expr]) -> impl Iterator<Item = Vec<Expr>> 
 /// The part by which a formula may be off from the exact one for the rounding of its decimals; none where it has none of
 /// three figures.
 pub(crate) fn rounding(formula: &Expr) -> Option<f64> {
+    largest(formula, |number| Decimal::of(number))
+}
+
+/// The same of values in place of letters, where integers of three figures are rounded, too.
+pub(crate) fn rounding_of_values(formula: &Expr) -> Option<f64> {
+    largest(formula, |number| Decimal::of(number).or_else(|| Decimal::integer(number)))
+}
+
+fn largest(formula: &Expr, decimal: impl Fn(Rational) -> Option<Decimal>) -> Option<f64> {
     let mut largest: f64 = 0.0;
     formula.walk(&mut |node| {
         if let Kind::Number(value) = node.kind()
-            && let Some(decimal) = Decimal::of(*value)
+            && let Some(decimal) = decimal(*value)
         {
             largest = largest.max(decimal.half / decimal.value);
         }
@@ -90,6 +99,15 @@ impl Decimal {
         is_decimal.then(|| Self {
             value: number.to_f64(),
             half: 0.5 / 10_f64.powi(places as i32),
+        })
+    }
+
+    /// An integer of three figures or more.
+    fn integer(number: Rational) -> Option<Self> {
+        let is_long = number.is_integer() && number.numerator() >= 10_i128.pow(MIN_FIGURES - 1);
+        is_long.then(|| Self {
+            value: number.to_f64(),
+            half: 0.5,
         })
     }
 

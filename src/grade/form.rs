@@ -293,7 +293,10 @@ pub(crate) fn is_doubtful(marking: &Marking) -> bool {
             Remark::Unreadable(unreadable) => &*unreadable.why,
             _ => return false,
         };
-        matches!(why, Why::TwoReadings(..) | Why::CommaOfThree { .. })
+        matches!(
+            why,
+            Why::TwoReadings(..) | Why::CommaOfThree { .. } | Why::RoundedNumbers
+        )
     })
 }
 

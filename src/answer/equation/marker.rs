@@ -8,8 +8,9 @@ use super::quotient::without_quotients;
 use super::root::without_roots;
 use super::rows::Rows;
 use super::system::System;
+use super::terms::{Coefficients, terms};
 use super::{Arc, Setup, read, told, written};
-use crate::answer::rounded::{exact_forms, settle_rounded};
+use crate::answer::rounded::{exact_forms, rounding_of_values, settle_rounded};
 use crate::answer::settle::{Candidate, settle_by_rule};
 use crate::answer::{
     Beside, Credit, Doubt, Echo, Equations, Key, Marker, Marking, Misfit, Nature, Note, Reading,
@@ -210,13 +211,8 @@ impl Marker for Prepared {
         if marking.verdict == Verdict::Right {
             return marking;
         }
-        let mut exact = exact(&equations).into_iter();
-        let is_key = |equations: Vec<Equation>| {
-            let compared = self.compared(equations);
-            compared.is_some_and(|(_, _, rows)| rows == Rows::Same)
-        };
-        if marking.verdict == Verdict::Wrong && exact.any(is_key) {
-            return settle_rounded(self.doubt, marking);
+        if marking.credit < Credit::FULL && self.is_rounded(&equations) {
+            return settle_rounded(self.doubt, Marking::right(setup.reading(&equations)));
         }
         // `M x'' + … = 0, M = 3m/2`, where M is a letter of the question, too.
         let defined = read::defined(setup, response, true);
@@ -236,6 +232,31 @@ impl Marker for Prepared {
 }
 
 impl Prepared {
+    /// Whether equations are the key but for the rounding of their numbers: of coefficients, `0.333 m l² θ''`, or where
+    /// the values stand for the letters, of these.
+    fn is_rounded(&self, equations: &[Equation]) -> bool {
+        let is_key = |equations: Vec<Equation>| {
+            let compared = self.compared(equations);
+            compared.is_some_and(|(_, _, rows)| rows == Rows::Same)
+        };
+        self.are_rounded_values(equations) || exact(equations).into_iter().any(is_key)
+    }
+
+    fn are_rounded_values(&self, equations: &[Equation]) -> bool {
+        let ([own], [key], [points]) = (equations, &self.key[..], &self.choices.points[..]) else {
+            return false;
+        };
+        let rounding = || rounding_of_values(&own.difference());
+        let compared = || {
+            let typed = self.setup.compile(equations, &BTreeMap::new())?;
+            let (terms, point) = (terms(&self.setup), points.first()?);
+            let key = Coefficients::of(key, &terms, point)?;
+            let typed = Coefficients::of(typed.first()?, &terms, point)?;
+            Some((typed, key))
+        };
+        rounding().zip(compared()).is_some_and(|(part, (typed, key))| typed.are_nearly(&key, part))
+    }
+
     /// The marking of a reading, beside the responses to other parts.
     fn judged(&self, equations: Vec<Equation>, others: &[Beside<'_>]) -> Marking {
         let reading = self.setup.reading(&equations);

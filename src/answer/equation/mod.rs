@@ -37,7 +37,7 @@ use super::letters::Allowed;
 use super::meaning::{Meaning, Prefer};
 use super::shared::{self, Shared};
 use super::{
-    Answer, AnswerError, Answered, Asked, Blank, Context, Declare, Key, Marker, Reading, Role,
+    Answer, AnswerError, Answered, Asked, Blank, Context, Declare, Doubt, Key, Marker, Reading, Role,
     symbolic,
 };
 use crate::expr::{Equation, Expr, Name, Program};
@@ -282,7 +282,11 @@ impl Answer for Equations {
             data,
             own: OnceCell::new(),
             mistakes,
-            doubt: context.doubt,
+            doubt: match self.form {
+                Form::Letters(_) => context.doubt,
+                // Values are rounded.
+                Form::Values => Doubt::Benefit,
+            },
         }))
     }
 }

@@ -109,6 +109,20 @@ impl Coefficients {
         self.values == self.slopes
     }
 
+    /// Whether these are a multiple of others but for rounding, each number by less than this part of it.
+    pub(crate) fn are_nearly(&self, other: &Self, part: f64) -> bool {
+        let pairs = || self.values.iter().zip(&other.values);
+        let agree = |scale: f64| {
+            // Two numbers are rounded, this one and that of the scale.
+            let is_near = |(own, other): (&f64, &f64)| {
+                (own - scale * other).abs() <= 2.0 * part * own.abs()
+            };
+            pairs().all(is_near)
+        };
+        let mut scales = pairs().filter(|(own, other)| **own != 0.0 && **other != 0.0);
+        self.is_linear() && other.is_linear() && scales.any(|(own, other)| agree(own / other))
+    }
+
     /// Whether no term is curved.
     pub(crate) fn is_linear(&self) -> bool {
         (0..self.values.len()).all(|place| self.nature(place) != Nature::Curved)
