@@ -33,7 +33,9 @@ pub(crate) fn rounding(formula: &Expr) -> Option<f64> {
 
 /// The same of values in place of letters, where integers of three figures are rounded, too.
 pub(crate) fn rounding_of_values(formula: &Expr) -> Option<f64> {
-    largest(formula, |number| Decimal::of(number).or_else(|| Decimal::integer(number)))
+    largest(formula, |number| {
+        Decimal::of(number).or_else(|| Decimal::integer(number))
+    })
 }
 
 fn largest(formula: &Expr, decimal: impl Fn(Rational) -> Option<Decimal>) -> Option<f64> {
@@ -139,8 +141,14 @@ fn simplest_between(low: f64, high: f64, divisions: u32) -> Option<Rational> {
         return Rational::new(whole as i128, 1);
     }
     let floor = low.floor();
-    let rest = simplest_between(1.0 / (high - floor), 1.0 / (low - floor), divisions.checked_sub(1)?)?;
-    Rational::ONE.checked_div(rest)?.checked_add(Rational::new(floor as i128, 1)?)
+    let rest = simplest_between(
+        1.0 / (high - floor),
+        1.0 / (low - floor),
+        divisions.checked_sub(1)?,
+    )?;
+    Rational::ONE
+        .checked_div(rest)?
+        .checked_add(Rational::new(floor as i128, 1)?)
 }
 
 #[cfg(test)]

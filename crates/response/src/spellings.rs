@@ -58,7 +58,10 @@ pub(crate) fn others(name: &Name, own: &str, math: &Math) -> impl Iterator<Item 
     let short = [Some(own), printed.as_deref()].into_iter().flatten();
     let short: Vec<String> = short.flat_map(shortened).collect();
     let others = [printed].into_iter().chain(spellings);
-    others.flatten().chain(short).filter(move |spelling| spelling != own)
+    others
+        .flatten()
+        .chain(short)
+        .filter(move |spelling| spelling != own)
 }
 
 /// `l1` for a letter that is printed ℓ₁, and `\ell` for one that is printed l or L.

@@ -3,13 +3,15 @@
 use std::collections::BTreeMap;
 
 use super::customary::{
-    CustomaryRate, DECAY_RATES, bare_frequency, damped, decay_rate, indexed_frequencies, initial_state, length,
-    natural_frequency, velocities,
+    CustomaryRate, DECAY_RATES, bare_frequency, damped, decay_rate, indexed_frequencies,
+    initial_state, length, natural_frequency, velocities,
 };
 use super::letters::Letters;
 use super::lexicon::LexiconEntry;
 use super::near::typable;
-use super::spellings::{first_rates, in_other_case, others, rates, second_rates, shortened, undotted};
+use super::spellings::{
+    first_rates, in_other_case, others, rates, second_rates, shortened, undotted,
+};
 use super::words::{ALIASES, BARE, INFINITY, POWERS, Powered};
 use vibank_formula::expr::{Constant, Expr, Function, Kind, Name};
 use vibank_notation::Math;
@@ -118,7 +120,7 @@ impl Words {
             words.offer(word, &WordSense::Leaf(meaning));
         }
         for (letter, order, name) in initial_state(entries) {
-            words.add(letter, WordSense::of_name(name), order + INITIAL);
+            words.add_ended(letter, WordSense::of_name(name), Ending::Initial(order));
         }
         if let Some(rate) = decay_rate {
             for word in DECAY_RATES {

@@ -254,7 +254,9 @@ impl Prepared {
             let typed = Coefficients::of(typed.first()?, &terms, point)?;
             Some((typed, key))
         };
-        rounding().zip(compared()).is_some_and(|(part, (typed, key))| typed.are_nearly(&key, part))
+        rounding()
+            .zip(compared())
+            .is_some_and(|(part, (typed, key))| typed.are_nearly(&key, part))
     }
 
     /// The marking of a reading, beside the responses to other parts.
@@ -291,7 +293,9 @@ fn exact(equations: &[Equation]) -> Vec<Vec<Equation>> {
     let paired = |sides: Vec<Expr>| {
         let (pairs, _) = sides.as_chunks();
         let pairs = pairs.iter().cloned();
-        pairs.map(|[left, right]| Equation { left, right }).collect()
+        pairs
+            .map(|[left, right]| Equation { left, right })
+            .collect()
     };
     exact_forms(&sides).map(paired).collect()
 }

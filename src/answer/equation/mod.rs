@@ -37,8 +37,8 @@ use super::letters::Allowed;
 use super::meaning::{Meaning, Prefer};
 use super::shared::{self, Shared};
 use super::{
-    Answer, AnswerError, Answered, Asked, Blank, Context, Declare, Doubt, Key, Marker, Reading, Role,
-    symbolic,
+    Answer, AnswerError, Answered, Asked, Blank, Context, Declare, Doubt, Key, Marker, Reading,
+    Role, symbolic,
 };
 use crate::expr::{Equation, Expr, Name, Program};
 use crate::math::Math;

@@ -114,9 +114,8 @@ impl Coefficients {
         let pairs = || self.values.iter().zip(&other.values);
         let agree = |scale: f64| {
             // Two numbers are rounded, this one and that of the scale.
-            let is_near = |(own, other): (&f64, &f64)| {
-                (own - scale * other).abs() <= 2.0 * part * own.abs()
-            };
+            let is_near =
+                |(own, other): (&f64, &f64)| (own - scale * other).abs() <= 2.0 * part * own.abs();
             pairs().all(is_near)
         };
         let mut scales = pairs().filter(|(own, other)| **own != 0.0 && **other != 0.0);
