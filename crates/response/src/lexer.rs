@@ -463,6 +463,9 @@ impl<'a> Lexer<'a> {
         end: usize,
         primes: u8,
     ) -> Result<(), TypedError> {
+        if primes == 0 && self.joule(letters, start) {
+            return Ok(());
+        }
         let next = self.rest().trim_start();
         let has_bracket = next.starts_with(['(', '{', '[']) || next.starts_with("\\left");
         let mut calls = ["(0)", "\\left(0\\right)"].iter();
@@ -475,18 +478,8 @@ impl<'a> Lexer<'a> {
             self.at += self.rest().len() - next.len() + call.len();
             return self.pieces(pieces, 0);
         }
-        let is_imaginary = |piece: &WordPiece| matches!(piece.sense, WordSense::Imaginary);
         let ending = Ending::Primes(primes);
         let pieces = match self.lexicon.split(letters, end, ending, has_bracket) {
-            // `2.8 j` is an energy where no number is complex.
-            Ok(pieces)
-                if !self.manner.has_imaginary_unit
-                    && primes == 0
-                    && pieces.iter().any(is_imaginary)
-                    && self.unit_of_run(letters, start, end) =>
-            {
-                return Ok(());
-            }
             Ok(pieces) => pieces,
             Err(_)
                 if let Some((pieces, order)) =

@@ -331,7 +331,7 @@ impl Lexer<'_> {
     }
 
     /// Takes a run of letters that is not a word as a unit, `rad/s`, or as a constant before one, `iΩ`; whether it is.
-    pub(crate) fn unit_of_run(&mut self, letters: &Letters, start: usize, end: usize) -> bool {
+    fn unit_of_run(&mut self, letters: &Letters, start: usize, end: usize) -> bool {
         if self.manner.values.is_none() {
             return false;
         }
@@ -358,6 +358,19 @@ impl Lexer<'_> {
         }
         self.at = after;
         false
+    }
+
+    /// Takes the letter j behind a value as joule, `2.8 j`, where no number is complex; whether it is.
+    pub(crate) fn joule(&mut self, letters: &Letters, start: usize) -> bool {
+        let is_it = letters.text == "j"
+            && self.manner.values.is_some()
+            && !self.manner.has_imaginary_unit
+            && self.is_behind_value();
+        let unit = Unit::read("J").ok().filter(|_| is_it);
+        if let Some(unit) = unit {
+            self.push(Item::Unit(Box::new(gathered(unit))), start);
+        }
+        is_it
     }
 
     /// Takes the unit that stands here, if it reaches the end of a run.

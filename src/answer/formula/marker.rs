@@ -62,7 +62,9 @@ impl Prepared {
             if let Some(right) = self.before_rounding(response) {
                 return Ok(right);
             }
-            marking = self.settle_rounded(&first).unwrap_or(marking);
+            if !self.contradicts_itself(response) {
+                marking = self.settle_rounded(&first).unwrap_or(marking);
+            }
         }
         Ok(match (marking.verdict, &marking.reading) {
             (Verdict::Right, Some(reading)) if self.contradicts_itself(response) => {

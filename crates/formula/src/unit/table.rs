@@ -95,7 +95,7 @@ pub(crate) static ROWS: &[UnitRow] = &[
     row(&["rad"],                "rad", &["radian", "radians", "rads", "rad", "rd", "radiant", "radiants", "radianes"], [ 0,  0,  0,  0, 0, 0, 0], [ 0,  0,  0, 0, 0], Radians, YES, YES, ""),
     row(&["N"],                  "N",   &["newton", "newtons", "n"],                      [ 1,  1, -2,  0, 0, 0, 0], [ 0,  0,  0, 0, 0], Still,   YES, YES, ""),
     row(&["Hz"],                 "Hz",  &["hertz", "hertz", "hz", "cps"],                 [ 0,  0, -1,  0, 0, 0, 0], [ 0,  0,  0, 0, 0], Cycles,  YES, YES, ""),
-    row(&["J"],                  "J",   &["joule", "joules", "j"],                        [ 1,  2, -2,  0, 0, 0, 0], [ 0,  0,  0, 0, 0], Still,   YES, YES, ""),
+    row(&["J"],                  "J",   &["joule", "joules"],                             [ 1,  2, -2,  0, 0, 0, 0], [ 0,  0,  0, 0, 0], Still,   YES, YES, ""),
     row(&["W"],                  "W",   &["watt", "watts"],                               [ 1,  2, -3,  0, 0, 0, 0], [ 0,  0,  0, 0, 0], Still,   YES, YES, ""),
     row(&["Pa"],                 "Pa",  &["pascal", "pascals"],                           [ 1, -1, -2,  0, 0, 0, 0], [ 0,  0,  0, 0, 0], Still,   YES, YES, ""),
     row(&["V"],                  "V",   &["volt", "volts"],                               [ 1,  2, -3, -1, 0, 0, 0], [ 0,  0,  0, 0, 0], Still,   YES, YES, ""),
