@@ -60,7 +60,7 @@ fn angles_count_by_turns() {
 }
 
 #[test]
-fn slips_are_told() {
+fn slips_are_named() {
     check(
         &number("0.326", "1", ""),
         &[("32.6", "wrong power-of-ten: percent"), ("32.6 %", "right")],
