@@ -50,16 +50,16 @@ use crate::source::{Table, Text, Value};
 struct Equations {
     setup: Arc<Setup>,
     mistakes: Vec<(usize, Vec<Equation>)>,
-    form: Form,
+    written: Written,
 }
 
 /// In what equations are compared.
 #[derive(Debug)]
-enum Form {
+enum Written {
     /// In letters, for any data; the other form is at hand.
-    Letters(Box<Equations>),
+    InLetters(Box<Equations>),
     /// With the values of the instance in place of letters, `0.5 x'' + 80 x = 0`.
-    Values,
+    InValues,
 }
 
 #[derive(Debug)]
@@ -138,12 +138,12 @@ pub(crate) fn read(part: &Table<'_>, declare: &mut dyn Declare) -> Option<Box<dy
     let in_values = Equations {
         setup: Arc::clone(&setup),
         mistakes: Vec::new(),
-        form: Form::Values,
+        written: Written::InValues,
     };
     Some(Box::new(Equations {
         setup,
         mistakes: Vec::new(),
-        form: Form::Letters(Box::new(in_values)),
+        written: Written::InLetters(Box::new(in_values)),
     }))
 }
 
@@ -184,9 +184,9 @@ impl Answer for Equations {
     }
 
     fn other_form(&self) -> Option<&dyn Answer> {
-        match &self.form {
-            Form::Letters(other) => Some(&**other),
-            Form::Values => None,
+        match &self.written {
+            Written::InLetters(other) => Some(&**other),
+            Written::InValues => None,
         }
     }
 
@@ -256,9 +256,9 @@ impl Answer for Equations {
             let centres = context.sampling.centres(&setup.meaning, &signs);
             Choices::around(setup, &key, centres)
         };
-        let choices = match self.form {
-            Form::Letters(_) => setup.choices.kept(&signs, context, around),
-            Form::Values => Arc::new(Choices::of_instance(setup, &key, &data)),
+        let choices = match self.written {
+            Written::InLetters(_) => setup.choices.kept(&signs, context, around),
+            Written::InValues => Arc::new(Choices::of_instance(setup, &key, &data)),
         };
         let mut mistakes = Vec::new();
         for mistaken in &context.mistakes {
@@ -282,10 +282,10 @@ impl Answer for Equations {
             data,
             own: OnceCell::new(),
             mistakes,
-            doubt: match self.form {
-                Form::Letters(_) => context.doubt,
+            doubt: match self.written {
+                Written::InLetters(_) => context.doubt,
                 // Values are rounded.
-                Form::Values => Doubt::Benefit,
+                Written::InValues => Doubt::Benefit,
             },
         }))
     }

@@ -5,7 +5,7 @@ use crate::numerics::sin_cos;
 
 /// Harmonic forces of one angular frequency, `a cos Ωt + b sin Ωt` on each coordinate.
 #[derive(Clone, Debug)]
-pub(crate) struct Harmonic {
+pub(crate) struct HarmonicLoad {
     /// Ω, not negative.
     pub(crate) frequency: f64,
     pub(crate) cosine: Vec<f64>,
@@ -13,7 +13,7 @@ pub(crate) struct Harmonic {
 }
 
 /// The forces of the only angular frequency.
-pub(crate) fn only(numbers: &Numbers) -> Result<&Harmonic, Unavailable> {
+pub(crate) fn only(numbers: &Numbers) -> Result<&HarmonicLoad, Unavailable> {
     match numbers.excitation()? {
         [] => Err(Unavailable::NoForce),
         [only] => Ok(only),
@@ -22,9 +22,9 @@ pub(crate) fn only(numbers: &Numbers) -> Result<&Harmonic, Unavailable> {
 }
 
 /// The forces of each angular frequency, in the order of the terms.
-pub(crate) fn all(numbers: &Numbers) -> Result<Vec<Harmonic>, Unavailable> {
+pub(crate) fn all(numbers: &Numbers) -> Result<Vec<HarmonicLoad>, Unavailable> {
     let excitation = numbers.model.evaluation.excitation()?;
-    let mut harmonics: Vec<Harmonic> = Vec::new();
+    let mut harmonics: Vec<HarmonicLoad> = Vec::new();
     if excitation.terms.is_empty() {
         return Ok(harmonics);
     }
@@ -40,7 +40,7 @@ pub(crate) fn all(numbers: &Numbers) -> Result<Vec<Harmonic>, Unavailable> {
         let frequency = frequency.abs();
         let known = harmonics.iter().position(|own| own.frequency == frequency);
         let at = known.unwrap_or_else(|| {
-            harmonics.push(Harmonic {
+            harmonics.push(HarmonicLoad {
                 frequency,
                 cosine: vec![0.0; size],
                 sine: vec![0.0; size],

@@ -20,7 +20,7 @@ use super::{Model, Quantity, Unavailable};
 use crate::expr::{Expr, Name, Precise, Undefined, Value};
 use crate::vibration::modes::Modes;
 use crate::vibration::{Oscillator, State};
-use excitation::Harmonic;
+use excitation::HarmonicLoad;
 pub use friction::{Frictional, TurningPoints};
 pub use hyper_dual::Linearization;
 use matrices::Matrices;
@@ -57,7 +57,7 @@ pub struct Numbers {
     position: OnceCell<Result<Vec<f64>, Unavailable>>,
     matrices: OnceCell<Result<Matrices, Unavailable>>,
     modes: OnceCell<Result<Modes, Unavailable>>,
-    excitation: OnceCell<Result<Vec<Harmonic>, Unavailable>>,
+    excitation: OnceCell<Result<Vec<HarmonicLoad>, Unavailable>>,
     response: OnceCell<Result<Arc<Response>, Unavailable>>,
 }
 
@@ -124,7 +124,7 @@ impl Numbers {
     }
 
     /// The forces, one entry per angular frequency.
-    pub(crate) fn excitation(&self) -> Result<&[Harmonic], Unavailable> {
+    pub(crate) fn excitation(&self) -> Result<&[HarmonicLoad], Unavailable> {
         let excitation = self.excitation.get_or_init(|| excitation::all(self));
         excitation.as_deref().map_err(Clone::clone)
     }

@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use nalgebra::{DMatrix, DVector};
 
-use super::excitation::Harmonic;
+use super::excitation::HarmonicLoad;
 use super::{Motion, Numbers, Unavailable, matrices};
 use crate::expr::{Field, Form, Shape, Value};
 use crate::numerics::sin_cos;
@@ -38,7 +38,7 @@ pub(crate) struct Response {
     position: Vec<f64>,
     free: Option<ModalResponse>,
     /// The harmonic forces and the motion under each; the first one bears the initial state.
-    forced: Vec<(Harmonic, ForcedModalResponse)>,
+    forced: Vec<(HarmonicLoad, ForcedModalResponse)>,
     damping: DMatrix<f64>,
     stiffness: DMatrix<f64>,
     inverse_mass: DMatrix<f64>,

@@ -1,6 +1,6 @@
 //! The steady state under harmonic forces.
 
-use super::excitation::Harmonic;
+use super::excitation::HarmonicLoad;
 use super::{Numbers, Unavailable, excitation, matrices, modal};
 use crate::expr::{Field, Form, Shape, Value};
 use crate::numerics::Complex;
@@ -41,7 +41,7 @@ pub(crate) fn complex_amplitude_value(
 /// The solution of `(K − Ω² M + iΩ C) X = F`.
 pub(crate) fn amplitudes(
     numbers: &Numbers,
-    harmonic: &Harmonic,
+    harmonic: &HarmonicLoad,
 ) -> Result<Vec<Complex>, Unavailable> {
     let forces = harmonic.cosine.iter().zip(&harmonic.sine);
     let forces: Vec<_> = forces.map(|(a, b)| Complex::new(*a, -*b)).collect();
