@@ -104,6 +104,14 @@ impl Lexicon {
         self.moving.iter()
     }
 
+    /// The name `L` of something else than a length, which the answer may use or not, and the only length ℓ, for which
+    /// many write L as well.
+    pub fn other_length(&self) -> Option<[Name; 2]> {
+        let length = self.reads("ell")?;
+        let other = self.reads("L").or_else(|| self.forbidden("L"))?;
+        (other != length).then(|| [other.clone(), length.clone()])
+    }
+
     /// Adds a name of the item that the answer may not use, so that it can be said.
     pub fn forbid(&mut self, name: &Name) {
         self.add(LexiconEntry::Forbidden(name.clone()));

@@ -1,7 +1,7 @@
 //! What stands around the equals signs of a formula: the symbol that is asked, and what it is.
 
 use super::arguments::without_arguments;
-use super::differential::leibniz;
+use super::differential::{is_quotient, leibniz};
 use super::letters::{greek_word, is_dotted};
 use super::lexer::tokens;
 use super::list::trimmed;
@@ -157,7 +157,7 @@ fn symbol(text: &str, lexicon: &Lexicon) -> Option<Symbol> {
         .strip_prefix('|')
         .and_then(|text| text.strip_suffix('|'));
     let text = bare.unwrap_or(text);
-    if leibniz(text, 0).is_some_and(|(.., end)| end == text.len()) {
+    if leibniz(text, 0).is_some_and(|(.., end)| end == text.len()) || is_quotient(text) {
         return Some(Symbol::Asked);
     }
     let is_marked = |mark: &str| text.strip_suffix(mark).is_some_and(is_word);

@@ -116,6 +116,13 @@ impl<'t> Stated<'t> {
             .collect()
     }
 
+    /// The last statement, if it is not the one that counts.
+    pub fn last_of_others(&self) -> Option<Passage<'t>> {
+        let last = self.others.last()?;
+        let is_last = last.range().start > self.main.range().start;
+        is_last.then(|| Passage::of(&self.text[last.range()]))
+    }
+
     /// Whether there is more than one statement.
     pub fn has_others(&self) -> bool {
         !self.others.is_empty()
@@ -138,8 +145,10 @@ impl<'t> Stated<'t> {
         sides.pop();
         let name = self.label().map(|label| label.text());
         let rivals = self.others.iter().filter(|other| {
+            let text = &self.text[other.range()];
             let own = label(self.text, **other).map(|label| &self.text[label.range()]);
-            own.is_some() && own == name
+            // `I = …, with r = R, = …`
+            own.is_some() && own == name || text.starts_with('=')
         });
         sides.extend(rivals.map(|rival| {
             let last = last_side(&self.text[rival.range()]).range();
