@@ -104,12 +104,13 @@ impl Lexicon {
         self.moving.iter()
     }
 
-    /// The name `L` of something else than a length, which the answer may use or not, and the only length ℓ, for which
-    /// many write L as well.
-    pub fn other_length(&self) -> Option<[Name; 2]> {
-        let length = self.reads("ell")?;
-        let other = self.reads("L").or_else(|| self.forbidden("L"))?;
-        (other != length).then(|| [other.clone(), length.clone()])
+    /// The name of this letter, whether the answer may use it or not, and that of the one for which many type it as well,
+    /// `L` and ℓ, if the latter may be used and both are not the same.
+    pub fn stand_in(&self, letter: &str, meant: &str) -> Option<[Name; 2]> {
+        let meant = self.reads(meant)?.clone();
+        let own = self.reads(letter).or_else(|| self.forbidden(letter));
+        let own = own.cloned().unwrap_or_else(|| Name::new(letter));
+        (own != meant).then_some([own, meant])
     }
 
     /// Adds a name of the item that the answer may not use, so that it can be said.

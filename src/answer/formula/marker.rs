@@ -129,11 +129,12 @@ impl Prepared {
         (marking.verdict == Verdict::Right).then_some(marking)
     }
 
-    /// The marking of a formula with `L` for the length ℓ where the item has another L, if it is right.
-    fn right_with_length(&self, response: Passage<'_>) -> Option<Marking> {
+    /// The marking of a formula with a letter for another one that it is alike, `L` for the length ℓ where the item has
+    /// another L, if it is right.
+    fn right_with(&self, letter: &str, meant: &str, response: Passage<'_>) -> Option<Marking> {
         let lexicon = &self.setup.lexicon;
-        let [other, length] = lexicon.other_length()?;
-        let put = Substitution::new().with(other.clone(), Expr::name(length));
+        let [other, meant] = lexicon.stand_in(letter, meant)?;
+        let put = Substitution::new().with(other.clone(), Expr::name(meant));
         let stated = self.stated(response).ok()?;
         let lexicon = lexicon.with(&other, symbol(other.as_str()));
         let typed = stated.formula(&lexicon, self.manner()).ok()?;
@@ -525,8 +526,12 @@ impl Marker for Prepared {
                 let other = self.right_before_unit(response);
                 let other = other.or_else(|| self.right_in_last(response));
                 other
-                    .or_else(|| self.right_with_length(response))
+                    .or_else(|| self.right_with("L", "ell", response))
                     .unwrap_or(marking)
+            }
+            // `1 + e/2` for ε, which many cannot type.
+            Ok(marking) if marking.verdict == Verdict::Wrong => {
+                self.right_with("e", "epsilon", response).unwrap_or(marking)
             }
             Ok(marking) => marking,
             Err(error)
@@ -539,7 +544,7 @@ impl Marker for Prepared {
             }
             Err(error)
                 if matches!(error.trouble, Trouble::NotAllowed(_))
-                    && let Some(marking) = self.right_with_length(response) =>
+                    && let Some(marking) = self.right_with("L", "ell", response) =>
             {
                 marking
             }
