@@ -248,12 +248,9 @@ impl<'t> Folder<'t> {
         if char == '(' && self.is_before_unit_in_words() {
             return self.write("(", "(in ".len());
         }
-        // `u = <1, 2>`
-        if char == '=' && self.is_before_chevrons() {
-            return self.write("=", 1);
-        }
-        // `u ∝ (1, 2)`
-        if char == '∝' && self.is_before_list(width) {
+        // `u = <1, 2>`, `u ∝ (1, 2)`
+        let is_equal = char == '=' && self.is_before_chevrons();
+        if is_equal || char == '∝' && self.is_before_list(width) {
             return self.write("=", width);
         }
         self.single(char, width);
