@@ -114,6 +114,23 @@ pub(crate) fn equal_sides(text: &str) -> Vec<Span> {
     sides.filter(|side| !side.range().is_empty()).collect()
 }
 
+/// The statements of a text without the symbol before two other sides of each, `m x'' = -k x` of `ΣF = m x'' = -k x`; none
+/// where no statement has such a symbol.
+pub(crate) fn without_names(text: &str) -> Option<String> {
+    let bare = |piece: &'_ str| {
+        let (name, rest) = piece.split_once('=').unwrap_or((piece, ""));
+        let is_name = is_word(name.trim().trim_start_matches('∑'));
+        let start = if is_name && rest.contains('=') {
+            piece.len() - rest.len()
+        } else {
+            0
+        };
+        piece[start..].to_owned()
+    };
+    let plain: String = text.split_inclusive([',', ';', '\n']).map(bare).collect();
+    (plain != text).then_some(plain)
+}
+
 /// What comes after the last equals sign.
 pub(crate) fn last_side(text: &str) -> Span {
     cut_at_equals(text)
