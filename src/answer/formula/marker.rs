@@ -139,6 +139,7 @@ impl Prepared {
         let lexicon = lexicon.with(&other, symbol(other.as_str()));
         let typed = stated.formula(&lexicon, self.manner()).ok()?;
         let all = [typed.value].into_iter().chain(typed.others);
+        let all = all.filter(|expr| expr.names().uses(&other));
         self.right_of(all.filter_map(|expr| put.apply(&expr).ok()))
     }
 
