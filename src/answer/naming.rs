@@ -191,8 +191,10 @@ impl Naming {
 
     /// Whether a symbol before an equals sign is the one that is asked.
     pub(crate) fn is_of_asked(&self, label: Passage<'_>) -> bool {
-        self.reads(label.without_frame())
-            .is_some_and(|typed| self.is_asked(&typed))
+        let is_name = self
+            .reads(label.without_frame())
+            .is_some_and(|typed| self.is_asked(&typed));
+        is_name || matches!(self.printed_name(label), Ok(Some(_)))
     }
 
     /// Whether a letter of a side may be what is asked, `2 ω`, also where its other letters are not known, or what is
@@ -267,7 +269,8 @@ impl Naming {
         !numbered || indices.any(|index| index.parse() == Ok(mode))
     }
 
-    fn is_asked(&self, expr: &expr::Expr) -> bool {
+    /// Whether a formula is the name of what is asked alone.
+    pub(crate) fn is_asked(&self, expr: &expr::Expr) -> bool {
         matches!(expr.kind(), expr::Kind::Name(name) if self.asked.contains(name))
     }
 

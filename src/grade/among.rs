@@ -49,7 +49,9 @@ pub(crate) fn marked(
         Ok(marker) => {
             let kind = parts[place].answer.kind();
             let mark = |response: Passage<'_>| marker.mark_beside(response, &others);
-            let marking = bounded(|| marked_again(kind, folded.passage(), mark).in_typed(folded));
+            let names_other = |response: Passage<'_>| parts[place].naming.check(response).is_err();
+            let marked = || marked_again(kind, folded.passage(), names_other, mark);
+            let marking = bounded(|| marked().in_typed(folded));
             silence::heard(response.typed(), marking)
         }
         Err(_) => mark_typed(solution, place, response),

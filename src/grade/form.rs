@@ -162,7 +162,20 @@ impl Forms<'_> {
     /// The marking of a statement where a formula is asked for: that of its last side in letters, if all others agree
     /// with it.
     fn formula(&self, sides: Vec<Passage<'_>>) -> Option<Marking> {
-        let (marked, _) = self.unnamed(sides);
+        let (mut marked, _) = self.unnamed(sides);
+        let is_in_form = |side: &FormedSide<'_>| side.own.reading.is_some();
+        // In `4π² m/T² = 4π² m/t²` letters stand that the item does not have, and no teslas.
+        let is_of_letters = |side: &FormedSide<'_>| {
+            !is_in_form(side)
+                && side.other.reasons().contains(&Reason::Dimension)
+                && side.typed.is_of_free_letters()
+        };
+        let mut steps = marked.iter().rposition(is_in_form).unwrap_or(0);
+        marked.retain(|side| {
+            let is_step = steps > 0;
+            steps = steps.saturating_sub(1);
+            !(is_step && is_of_letters(side))
+        });
         if !(2..=MAX_SIDES).contains(&marked.len())
             || marked
                 .iter()
@@ -170,15 +183,16 @@ impl Forms<'_> {
         {
             return None;
         }
-        let is_in_form = |side: &&FormedSide<'_>| side.own.reading.is_some();
-        let in_form = marked.iter().filter(is_in_form).count();
+        let in_form = marked.iter().filter(|side| is_in_form(side)).count();
         if in_form == 0 || in_form == marked.len() {
             return None;
         }
         // The exact form counts before its rounded one: `√2 x0 ≈ 1.41 x0 = 0.2 m`.
         let is_exact = |side: &&FormedSide<'_>| is_in_form(side) && !is_rounded(&side.own);
         let exact = marked.iter().rfind(is_exact);
-        let counts = &exact.or_else(|| marked.iter().rfind(is_in_form))?.own;
+        let counts = &exact
+            .or_else(|| marked.iter().rfind(|side| is_in_form(side)))?
+            .own;
         // Bare numbers before a value with its unit are in SI units, or in those of the sheet.
         let value = marked.iter().rfind(|side| !is_in_form(side))?;
         let is_value = |side: &FormedSide<'_>| {
@@ -186,7 +200,7 @@ impl Forms<'_> {
         };
         let agrees = is_right(&value.other)
             && marked.iter().all(|side| {
-                if is_in_form(&side) {
+                if is_in_form(side) {
                     is_right(&side.own) || is_rounded(&side.own)
                 } else {
                     is_value(side)

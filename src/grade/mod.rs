@@ -66,7 +66,9 @@ fn mark_typed(solution: &Solution<'_>, place: usize, response: &TypedResponse<'_
         Ok((marker, folded)) => bounded(|| {
             let kind = solution.template().parts[place].answer.kind();
             let mark = |response: Passage<'_>| marker.mark(response);
-            marked_again(kind, folded.passage(), mark).in_typed(&folded)
+            let naming = &solution.template().parts[place].naming;
+            let names_other = |response: Passage<'_>| naming.check(response).is_err();
+            marked_again(kind, folded.passage(), names_other, mark).in_typed(&folded)
         }),
         Err(why) => Marking::unreadable(why),
     };
@@ -76,10 +78,12 @@ fn mark_typed(solution: &Solution<'_>, place: usize, response: &TypedResponse<'_
 /// A longer answer is no answer with something said beside it, and takes its time for each way to read it.
 const MAX_SAID: usize = 400;
 
-/// The marking of a response; where that cannot be read, and another way to read it is right, the marking by that.
+/// The marking of a response; where that cannot be read, and another way to read it is right that names no other quantity
+/// than the one that is asked, the marking by that.
 fn marked_again(
     kind: AnswerKind,
     response: Passage<'_>,
+    names_other: impl Fn(Passage<'_>) -> bool,
     mark: impl Fn(Passage<'_>) -> Marking,
 ) -> Marking {
     let first = mark(response);
@@ -95,7 +99,8 @@ fn marked_again(
         return first;
     }
     let is_right = |marking: &Marking| marking.verdict == Verdict::Right;
-    let mut others = response.read_again();
+    let others = response.read_again();
+    let mut others = others.filter(|other| !names_other(other.passage()));
     let again = others.find_map(|other| Some(mark(other.passage())).filter(is_right));
     again.unwrap_or(first)
 }

@@ -1,18 +1,24 @@
 //! Other ways to read an answer, where nothing can be read of all that was typed: less of it, or its words as numbers.
 
-use super::aside;
 use super::reworded::{Reworded, of_spoken_numbers};
+use super::{Passage, aside, sides};
 
 /// What is read in place of a text; none where it has nothing of the kind.
 type Rereading = fn(&str) -> Option<Reworded>;
 
 /// The ways, in the order in which they are tried. What comes out of one is an answer where it is right, so that no way
 /// makes a wrong one of what could not be read.
-const WAYS: [Rereading; 3] = [
+const WAYS: [Rereading; 6] = [
     // What is said after an answer, where it holds or where it comes from, does not change it.
     |text| aside::before(text).map(Reworded::from),
+    // The same of each of several equations.
+    |text| aside::between(text).map(Reworded::of),
+    // A law names what both of its sides are: `ΣF = m x'' = -k x`.
+    |text| sides::without_names(text).map(Reworded::of),
     // Nor do words before it that describe it; a comma after them may also part two answers, so that they come later.
     |text| aside::behind(text).map(Reworded::from),
+    // What steps lead to is the answer: `½ k (2x)² = ½ (4k) x² → 4k`.
+    |text| Some(Reworded::from(Passage::of(text).concluded()?.text())),
     // Last, since `two` and `half` count things in what is said beside an answer, too.
     of_spoken_numbers,
 ];

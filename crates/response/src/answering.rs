@@ -25,7 +25,9 @@ pub(crate) fn answering<'t>(text: &'t str, answers: impl Fn(Passage<'t>) -> bool
         word_at(rest).or_else(|| conclusion_at(rest).filter(|_| is_led || !rest.starts_with(':')))
     });
     let all: Vec<Span> = all.into_iter().map(|own| moved(own, start)).collect();
-    if all.len() < 2 {
+    // `5 m (= 6 m)` says two things of one.
+    let goes_on = |own: &Span| text[own.range()].starts_with('=');
+    if all.len() < 2 || all.iter().any(goes_on) {
         return None;
     }
     let label = |own: &Span| label(text, *own).map(|label| Passage::of(&text[label.range()]));
@@ -93,6 +95,7 @@ mod tests {
             ("k = 3 N/m at x = 0", Some("k = 3 N/m")),
             ("V = 3 N/m at x = 0", Some("V = 3 N/m")),
             ("=aω;π", None),
+            ("3 N/m (= 4 N/m)", None),
             ("ω = 9; k = 3 N/m", Some("k = 3 N/m")),
             ("ω = 9; ω = 10", None),
             ("x1 : k = 3 : 4", None),

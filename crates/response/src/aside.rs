@@ -42,6 +42,19 @@ pub(crate) fn before(text: &str) -> Option<&str> {
     (!before.is_empty()).then_some(before)
 }
 
+/// The statements of a text, each without what is said after it, `z = 0 (vertical plane), x^2 + y^2 = l^2`; none where
+/// nothing is said of any.
+pub(crate) fn between(text: &str) -> Option<String> {
+    const ENDS: [char; 3] = [',', ';', '\n'];
+    let bare = |piece: &str| {
+        let own = piece.trim_end_matches(ENDS);
+        let said = before(own).filter(|before| before.contains('='));
+        said.unwrap_or(own).to_owned() + &piece[own.len()..]
+    };
+    let plain: String = text.split_inclusive(ENDS).map(bare).collect();
+    (plain != text).then_some(plain)
+}
+
 /// What comes behind words and a colon or a comma, `the sum: k1 + k2`, `weight, m g`.
 pub(crate) fn behind(text: &str) -> Option<&str> {
     let (said, formula) = text.split_once([':', ','])?;
@@ -93,7 +106,20 @@ fn is_remark(said: &str) -> bool {
 
 #[cfg(test)]
 mod tests {
-    use super::before;
+    use super::{before, between};
+
+    #[test]
+    fn what_is_said_of_each_equation_is_no_part_of_it() {
+        for (typed, equations) in [
+            ("z = 0 (vertical plane), x = y", Some("z = 0, x = y")),
+            ("z = 0 (plane); x = y (line)", Some("z = 0; x = y")),
+            ("z = 0 (not zero), x = y", None),
+            ("z = 0 (x + y), x = y", None),
+            ("z = 0, x = y", None),
+        ] {
+            assert_eq!(between(typed).as_deref(), equations, "{typed}");
+        }
+    }
 
     #[test]
     fn what_is_said_of_a_formula_is_no_part_of_it() {

@@ -32,7 +32,21 @@ impl Parser<'_> {
         }
     }
 
+    /// Whether a number in square brackets and a brace come next, as behind the command of a root: `sqrt[3]{x}`.
+    fn is_indexed(&self) -> bool {
+        let next = self.tokens.get(self.at..).unwrap_or_default();
+        let mut items = next.iter().map(|token| &token.item);
+        let is_sign = |item: Option<&Item>, sign| item == Some(&Item::Sign(sign));
+        is_sign(items.next(), '[')
+            && matches!(items.next(), Some(Item::Number(_)))
+            && is_sign(items.next(), ']')
+            && is_sign(items.next(), '{')
+    }
+
     pub(crate) fn function(&mut self, function: Function, span: Span) -> Result<Expr> {
+        if function == Function::Sqrt && self.is_indexed() {
+            return self.radical(span);
+        }
         let mut function = function;
         let mut exponent = None;
         match self.item() {
@@ -65,7 +79,13 @@ impl Parser<'_> {
             }
             function = Function::Atan2;
         }
-        let call = Expr::new(Kind::Call(function, arguments), span);
+        let is_minus_one = |argument: &Expr| argument.as_number() == Some(-Rational::ONE);
+        let kind = if function == Function::Sqrt && arguments.iter().all(is_minus_one) {
+            Kind::Constant(Constant::ImaginaryUnit)
+        } else {
+            Kind::Call(function, arguments)
+        };
+        let call = Expr::new(kind, span);
         match exponent {
             Some(exponent) => Self::binary(Operator::Power, call, exponent),
             None => Ok(call),

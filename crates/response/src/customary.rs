@@ -93,6 +93,24 @@ pub(crate) fn bare_frequency(entries: &[LexiconEntry]) -> Option<&Name> {
     only
 }
 
+/// Letters with the index of the axis, `I_O`, for the moment of inertia about it: each with the name without an index for
+/// which it may stand, since the item has no other name of that letter.
+pub(crate) fn about_axis(entries: &[LexiconEntry]) -> Vec<(&'static str, &Name)> {
+    const LETTERS: [(char, &str); 2] = [('I', "IO"), ('J', "JO")];
+    let only = |(letter, word): (char, &'static str)| {
+        let mut of_letter = entries
+            .iter()
+            .filter(|entry| entry.name().as_str().starts_with(letter));
+        match (of_letter.next()?, of_letter.next()) {
+            (LexiconEntry::Allowed(name, ..), None) if name.as_str().len() == 1 => {
+                Some((word, name))
+            }
+            _ => None,
+        }
+    };
+    LETTERS.into_iter().filter_map(only).collect()
+}
+
 /// What the decay rate λ is in the damping ratio and the natural frequency, `ζ ω_n`, if both may be used.
 pub(crate) fn decay_rate(entries: &[LexiconEntry]) -> Option<Expr> {
     let is_ratio = |name: &Name| DAMPING_RATIOS.contains(&name.as_str());

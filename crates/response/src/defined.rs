@@ -21,6 +21,8 @@ pub(crate) struct Definition {
     pub(crate) order: u8,
     /// Whether it is said of its square, `ω_n² = k/m`.
     pub(crate) is_square: bool,
+    /// The number by which it is multiplied, `2λ = c/m`.
+    pub(crate) factor: i32,
     /// Whether the lexicon has the letter.
     pub(crate) is_known: bool,
     /// Whether the question has it, be it that the answer may not use it.
@@ -61,9 +63,18 @@ pub(crate) fn said(text: &str, statement: Span, lexicon: &Lexicon, may_be_produc
     let read = |side: Option<&Span>, may_be_product| {
         side.and_then(|side| letter(&text[side.range()], lexicon, may_be_product))
     };
+    // `2λ = c/m`
+    let multiple = sides.first().and_then(|side| {
+        let (factor, rest) = factor_before(&text[side.range()])?;
+        let own = letter(rest, lexicon, false).filter(|own| !own.is_known)?;
+        Some((factor, own))
+    });
+    let factor = multiple.as_ref().map_or(1, |(factor, _)| *factor);
     // What a letter is, `k = ρgS`, is no letter of its own.
     let (first, last) = (
-        read(sides.first(), may_be_product),
+        multiple
+            .map(|(_, own)| own)
+            .or_else(|| read(sides.first(), may_be_product)),
         read(sides.last(), false),
     );
     let letter = match (first, last) {
@@ -91,11 +102,21 @@ pub(crate) fn said(text: &str, statement: Span, lexicon: &Lexicon, may_be_produc
         name: letter.name,
         order: letter.order,
         is_square: letter.is_square,
+        factor,
         is_known: letter.is_known,
         is_of_question: letter.is_of_question,
         values: sides.into_iter().map(|side| moved(side, start)).collect(),
         formula: None,
     })
+}
+
+/// The integer before a letter, and what comes after it: `2λ`, `2*λ`.
+fn factor_before(side: &str) -> Option<(i32, &str)> {
+    let rest = side.trim_start_matches(|first: char| first.is_ascii_digit());
+    let factor = side[..side.len() - rest.len()].parse().ok()?;
+    let rest = rest.trim_start();
+    let rest = rest.strip_prefix('*').map_or(rest, str::trim_start);
+    (factor > 0).then_some((factor, rest))
 }
 
 /// The equations among the statements of a text, in which other statements or the custom of the field say what letters
@@ -150,6 +171,16 @@ pub(crate) fn defined_chains(
         equations.push(*first);
         definitions.remove(0);
     }
+    // `x2 + y2 = l2` may be an equation of its own.
+    let is_behind = |(own, statement): &&(Definition, Span)| {
+        let start = statement.range().start;
+        own.values.iter().any(|value| value.range().start == start)
+    };
+    let behind: Vec<Name> = definitions
+        .iter()
+        .filter(is_behind)
+        .map(|(own, _)| own.name.clone())
+        .collect();
     let mut definitions: Vec<Definition> = definitions.into_iter().map(|(own, _)| own).collect();
     let customary = customary(lexicon).into_iter();
     let customary: Vec<Definition> = customary
@@ -161,6 +192,13 @@ pub(crate) fn defined_chains(
         return None;
     }
     let defined = Defined::of(text, definitions, lexicon, manner);
+    let unread = defined.all.iter().find_map(|(own, value)| match value {
+        Some(Err(error)) if behind.contains(&own.name) => Some(error.clone()),
+        _ => None,
+    });
+    if let Some(error) = unread {
+        return Some(Err(error));
+    }
     let read = |equation: Span| {
         let place = equation.range();
         let typed = super::chain(text, place.start, place.end, &defined.lexicon, manner)?;
@@ -219,6 +257,7 @@ fn customary(lexicon: &Lexicon) -> Vec<Definition> {
             name: Name::new(*letter),
             order: 0,
             is_square: false,
+            factor: 1,
             is_known: false,
             is_of_question: false,
             values: Vec::new(),
@@ -413,12 +452,16 @@ fn substituted(
 }
 
 impl Definition {
-    /// The letter by what is said of it or of its square.
+    /// The letter by what is said of it, of its square or of a multiple.
     fn value_of(&self, value: &Expr) -> Expr {
+        let value = match self.factor {
+            1 => value.clone(),
+            factor => value.clone() / Expr::number(factor),
+        };
         if self.is_square {
-            return Expr::derived(Kind::Call(Function::Sqrt, vec![value.clone()]));
+            return Expr::derived(Kind::Call(Function::Sqrt, vec![value]));
         }
-        value.clone()
+        value
     }
 
     /// A formula with the value in place of the letter.

@@ -1,30 +1,31 @@
 //! Time derivatives as quotients of differentials, `dx/dt`, `\frac{d^2 x}{dt^2}`, and as functions, `diff(x, t, 2)`.
 
-use super::letters::{Letters, combining, dotted, greek_word, name_of_command};
+use super::letters::{Letters, combining, dotted, greek_word, letter, name_of_command};
 use vibank_formula::work;
 
 /// Reads a quotient of differentials at a place, `dx/dt`, `(d^2 x)/(d t^2)`, `{dx}/{dt}`: spelling of the name, order, end.
 pub(crate) fn leibniz(text: &str, at: usize) -> Option<(String, u8, usize)> {
-    let mut scanner = Differentials { text, at };
-    let group = scanner.opening();
-    let is_fraction = group.is_none() && scanner.fraction();
-    scanner.differential()?;
-    let order = scanner.order();
-    let (spelling, own) = scanner.name()?;
-    if group.is_some_and(|close| !scanner.take(close)) {
-        return None;
-    }
-    scanner.over_time(is_fraction, order)?;
+    let mut scanner = Differentials::over_time(text, at);
+    let (is_fraction, spelling, order) = scanner.quotient()?;
     let goes_on = scanner.text[scanner.at..]
         .starts_with(|next: char| next.is_ascii_alphanumeric() || next == '_');
     let is_closed = is_fraction || scanner.text[..scanner.at].ends_with([')', '}']);
-    (!goes_on || is_closed).then_some((spelling, order + own, scanner.at))
+    (!goes_on || is_closed).then_some((spelling, order, scanner.at))
+}
+
+/// Whether a text is a quotient of differentials by any letter, `dV/dθ`, `\frac{d^2V}{d\theta^2}`.
+pub(crate) fn is_quotient(text: &str) -> bool {
+    let mut scanner = Differentials {
+        is_over_time: false,
+        ..Differentials::over_time(text, 0)
+    };
+    scanner.quotient().is_some() && scanner.at == text.len()
 }
 
 /// The order of the operator of a time derivative that begins at a place and comes before a bracket, `d/dt (m x')`,
 /// `d²/dt² (x + y)`, and where it ends.
 pub(crate) fn operator(text: &str, at: usize) -> Option<(u8, usize)> {
-    let mut scanner = Differentials { text, at };
+    let mut scanner = Differentials::over_time(text, at);
     let order = scanner.operator()?;
     let behind = text[scanner.at..].trim_start();
     let behind = behind.strip_prefix("\\left").unwrap_or(behind);
@@ -41,7 +42,7 @@ pub(crate) fn behind(text: &str, at: usize) -> Option<(String, u8, usize)> {
     // Equations of motion have accelerations and nothing above; markers have room for two derivatives of a
     // name.
     const MAX_ORDER: u8 = 2;
-    let mut scanner = Differentials { text, at };
+    let mut scanner = Differentials::over_time(text, at);
     let order = scanner.operator()?;
     let is_sized = scanner.take("\\left");
     let rest = &text[scanner.at..];
@@ -74,7 +75,7 @@ pub(crate) fn behind(text: &str, at: usize) -> Option<(String, u8, usize)> {
 
 /// Reads a derivative by the letter of an operator, `Dx`, `D² x_1`: spelling of the name, order, end.
 pub(crate) fn by_operator(text: &str, at: usize) -> Option<(String, u8, usize)> {
-    let mut scanner = Differentials { text, at };
+    let mut scanner = Differentials::over_time(text, at);
     if !scanner.take("D") {
         return None;
     }
@@ -252,9 +253,33 @@ fn closing(text: &str, before: usize) -> Option<usize> {
 struct Differentials<'a> {
     text: &'a str,
     at: usize,
+    /// Whether derivatives are by the time alone, and not by any letter.
+    is_over_time: bool,
 }
 
-impl Differentials<'_> {
+impl<'a> Differentials<'a> {
+    fn over_time(text: &'a str, at: usize) -> Self {
+        Self {
+            text,
+            at,
+            is_over_time: true,
+        }
+    }
+
+    /// A whole quotient: whether it is a fraction of LaTeX, the spelling of its name, and its order.
+    fn quotient(&mut self) -> Option<(bool, String, u8)> {
+        let group = self.opening();
+        let is_fraction = group.is_none() && self.fraction();
+        self.differential()?;
+        let order = self.order();
+        let (spelling, own) = self.name()?;
+        if group.is_some_and(|close| !self.take(close)) {
+            return None;
+        }
+        self.divisor(is_fraction, order)?;
+        Some((is_fraction, spelling, order + own))
+    }
+
     fn take(&mut self, word: &str) -> bool {
         let rest = &self.text[self.at..];
         let trimmed = rest.trim_start();
@@ -285,7 +310,7 @@ impl Differentials<'_> {
         self.differential()?;
         let order = self.order();
         let is_numerator = group.is_some_and(|close| self.take(close));
-        self.over_time(is_fraction, order)?;
+        self.divisor(is_fraction, order)?;
         match group {
             Some(close) if !is_numerator => {
                 let is_closed = self.take(close);
@@ -296,7 +321,7 @@ impl Differentials<'_> {
     }
 
     /// The divisor of a derivative of this order, `dt^2`, `(d t^2)`, `(dt)^2`.
-    fn over_time(&mut self, is_fraction: bool, order: u8) -> Option<()> {
+    fn divisor(&mut self, is_fraction: bool, order: u8) -> Option<()> {
         let is_over = if is_fraction {
             self.take("}") && self.take("{")
         } else {
@@ -307,7 +332,7 @@ impl Differentials<'_> {
         }
         let group = if is_fraction { None } else { self.opening() };
         self.differential()?;
-        if !self.take("t") {
+        if !self.take("t") && (self.is_over_time || !self.letter()) {
             return None;
         }
         let mut own = self.order();
@@ -318,6 +343,17 @@ impl Differentials<'_> {
             own *= if own < order { self.raised_order() } else { 1 };
         }
         (own == order && (!is_fraction || self.take("}"))).then_some(())
+    }
+
+    /// Whether a letter stands here, or the command of one.
+    fn letter(&mut self) -> bool {
+        let rest = self.text[self.at..].trim_start();
+        let Some((length, _)) = letter(rest.trim_start_matches('\\')) else {
+            return false;
+        };
+        let command = usize::from(rest.starts_with('\\'));
+        self.at = self.text.len() - rest.len() + command + length;
+        true
     }
 
     fn differential(&mut self) -> Option<()> {

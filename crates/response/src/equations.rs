@@ -31,13 +31,22 @@ pub(crate) fn equations(text: &str) -> Vec<Span> {
     found
 }
 
+/// The pieces of a text between the words and signs that join equations.
 fn cut_at_and(text: &str, place: Span) -> Vec<Span> {
-    const AND: &str = " and ";
+    // `∧` is folded into the sign of an intersection.
+    const JOINTS: [&str; 4] = [" and ", " as well as ", " & ", "∩"];
     let mut from = place.range().start;
     let mut found = Vec::new();
-    while let Some(at) = text[from..place.range().end].find(AND) {
+    let next = |from: usize| {
+        let rest = &text[from..place.range().end];
+        let joints = JOINTS
+            .iter()
+            .filter_map(|joint| Some((rest.find(joint)?, joint.len())));
+        joints.min()
+    };
+    while let Some((at, length)) = next(from) {
         found.push(Span::new(from, from + at));
-        from += at + AND.len();
+        from += at + length;
     }
     found.push(Span::new(from, place.range().end));
     found

@@ -248,9 +248,10 @@ impl<'t> Folder<'t> {
         if char == '(' && self.is_before_unit_in_words() {
             return self.write("(", "(in ".len());
         }
-        // `u = <1, 2>`
-        if char == '=' && self.is_before_chevrons() {
-            return self.write("=", 1);
+        // `u = <1, 2>`, `u ∝ (1, 2)`
+        let is_equal = char == '=' && self.is_before_chevrons();
+        if is_equal || char == '∝' && self.is_before_list(width) {
+            return self.write("=", width);
         }
         self.single(char, width);
     }
@@ -286,6 +287,13 @@ impl<'t> Folder<'t> {
         let inner = self.rest().strip_prefix("(in ");
         let unit = inner.and_then(|inner| inner.split_once(')'));
         unit.is_some_and(|(unit, _)| Unit::read(unit).is_ok())
+    }
+
+    /// Whether a list of several entries comes after the sign of this length.
+    fn is_before_list(&self, length: usize) -> bool {
+        let list = self.typed[self.at + length..self.answer.end].trim_start();
+        list.starts_with(['(', '[', '{', '\\']) && list.contains([',', ';', '&'])
+            || list.contains("\\\\")
     }
 
     /// Whether the list of chevrons to the end of the answer comes after an equals sign.

@@ -1,6 +1,7 @@
 //! What stands around a list: a symbol before it, a factor or divisor, a sign of transposition, a unit.
 
 use super::before_unit::{gathered, with_unit};
+use super::letters::greek_word;
 use super::list::{Reader, Wanted};
 use super::words::MODULES;
 use super::{Trouble, TypedError};
@@ -58,7 +59,9 @@ impl Reader<'_> {
         // `transpose` is not a letter.
         let letter = own.split('_').next().unwrap_or(own);
         let letter = letter.trim_end_matches(|char: char| char.is_ascii_digit());
-        let is_factor = letter.chars().count() == 1
+        let is_letter =
+            letter.chars().count() == 1 || greek_word(letter.trim_start_matches('\\')).is_some();
+        let is_factor = is_letter
             && own.chars().all(is_of_name)
             && self.formula_in(own, Span::new(0, own.len())).is_err();
         if is_factor { &before[..start] } else { before }
@@ -160,6 +163,7 @@ pub(crate) fn without_transpositions(text: &str) -> String {
 /// Signs of transposition that can be nothing else.
 const RAISED: &[&str] = &[
     "^{\\mathrm{T}}",
+    "^{\\mathrm T}",
     "^\\mathrm{T}",
     "^\\mathsf{T}",
     "^{\\top}",

@@ -245,8 +245,10 @@ fn rows_by_line(text: &str) -> String {
     text.char_indices().map(sign).collect()
 }
 
-/// Rows between bars, as programs draw them, in brackets; nothing where not all lines are so.
+/// Rows between bars, as programs draw them, in brackets, behind a symbol and an equals sign; nothing where not all lines
+/// are so.
 fn barred_rows(text: &str) -> Option<String> {
+    let (label, text) = text.split_at(text.find('=').map_or(0, |label| label + 1));
     let row = |line: &str| {
         let inner = line.trim().strip_prefix('|')?.strip_suffix('|')?;
         let start = line.len() - line.trim_start().len();
@@ -263,7 +265,7 @@ fn barred_rows(text: &str) -> Option<String> {
     };
     let rows: Option<Vec<String>> = text.split('\n').map(row).collect();
     rows.filter(|rows| rows.len() > 1)
-        .map(|rows| rows.join("\n"))
+        .map(|rows| label.to_owned() + &rows.join("\n"))
 }
 
 /// The same list with `&` for each space that parts entries, as in `[1 -2; 0 3]`. A space parts two values, and a value

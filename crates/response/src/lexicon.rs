@@ -104,6 +104,15 @@ impl Lexicon {
         self.moving.iter()
     }
 
+    /// The name of this letter, whether the answer may use it or not, and that of the one for which many type it as well,
+    /// `L` and ℓ, if the latter may be used and both are not the same.
+    pub fn stand_in(&self, letter: &str, meant: &str) -> Option<[Name; 2]> {
+        let meant = self.reads(meant)?.clone();
+        let own = self.reads(letter).or_else(|| self.forbidden(letter));
+        let own = own.cloned().unwrap_or_else(|| Name::new(letter));
+        (own != meant).then_some([own, meant])
+    }
+
     /// Adds a name of the item that the answer may not use, so that it can be said.
     pub fn forbid(&mut self, name: &Name) {
         self.add(LexiconEntry::Forbidden(name.clone()));

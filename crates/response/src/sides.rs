@@ -1,7 +1,7 @@
 //! What stands around the equals signs of a formula: the symbol that is asked, and what it is.
 
 use super::arguments::without_arguments;
-use super::differential::leibniz;
+use super::differential::{is_quotient, leibniz};
 use super::letters::{greek_word, is_dotted};
 use super::lexer::tokens;
 use super::list::trimmed;
@@ -114,6 +114,23 @@ pub(crate) fn equal_sides(text: &str) -> Vec<Span> {
     sides.filter(|side| !side.range().is_empty()).collect()
 }
 
+/// The statements of a text without the symbol before two other sides of each, `m x'' = -k x` of `ΣF = m x'' = -k x`; none
+/// where no statement has such a symbol.
+pub(crate) fn without_names(text: &str) -> Option<String> {
+    let bare = |piece: &'_ str| {
+        let (name, rest) = piece.split_once('=').unwrap_or((piece, ""));
+        let is_name = is_word(name.trim().trim_start_matches('∑'));
+        let start = if is_name && rest.contains('=') {
+            piece.len() - rest.len()
+        } else {
+            0
+        };
+        piece[start..].to_owned()
+    };
+    let plain: String = text.split_inclusive([',', ';', '\n']).map(bare).collect();
+    (plain != text).then_some(plain)
+}
+
 /// What comes after the last equals sign.
 pub(crate) fn last_side(text: &str) -> Span {
     cut_at_equals(text)
@@ -157,7 +174,7 @@ fn symbol(text: &str, lexicon: &Lexicon) -> Option<Symbol> {
         .strip_prefix('|')
         .and_then(|text| text.strip_suffix('|'));
     let text = bare.unwrap_or(text);
-    if leibniz(text, 0).is_some_and(|(.., end)| end == text.len()) {
+    if leibniz(text, 0).is_some_and(|(.., end)| end == text.len()) || is_quotient(text) {
         return Some(Symbol::Asked);
     }
     let is_marked = |mark: &str| text.strip_suffix(mark).is_some_and(is_word);

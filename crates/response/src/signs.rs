@@ -263,6 +263,7 @@ pub(crate) const COMMANDS: &[(&str, Plain)] = &[
     ("cap", Text("∩")),
     ("land", Text("∩")),
     ("wedge", Text("∩")),
+    ("propto", Text("∝")),
     ("in", Text("∈")),
     ("infty", Text("∞")),
     ("circ", Text("°")),

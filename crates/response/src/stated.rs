@@ -31,7 +31,7 @@ impl<'t> Stated<'t> {
         text: &'t str,
         answers: impl Fn(Passage<'t>) -> bool,
     ) -> Result<Self, TypedError> {
-        let all = without_values_elsewhere(text, statements(text));
+        let all = without_values_elsewhere(text, statements(text), &answers);
         let single = |main| Self {
             text,
             main,
@@ -116,6 +116,13 @@ impl<'t> Stated<'t> {
             .collect()
     }
 
+    /// The last statement, if it is not the one that counts.
+    pub fn last_of_others(&self) -> Option<Passage<'t>> {
+        let last = self.others.last()?;
+        let is_last = last.range().start > self.main.range().start;
+        is_last.then(|| Passage::of(&self.text[last.range()]))
+    }
+
     /// Whether there is more than one statement.
     pub fn has_others(&self) -> bool {
         !self.others.is_empty()
@@ -138,8 +145,10 @@ impl<'t> Stated<'t> {
         sides.pop();
         let name = self.label().map(|label| label.text());
         let rivals = self.others.iter().filter(|other| {
+            let text = &self.text[other.range()];
             let own = label(self.text, **other).map(|label| &self.text[label.range()]);
-            own.is_some() && own == name
+            // `I = …, with r = R, = …`
+            own.is_some() && own == name || text.starts_with('=')
         });
         sides.extend(rivals.map(|rival| {
             let last = last_side(&self.text[rival.range()]).range();
@@ -257,8 +266,12 @@ fn is_letter(label: &str) -> bool {
     is_word(label) && !begins_with_function(label)
 }
 
-/// Statements without what one of them is at some place, `V(0) = 0` beside `V(θ) = …`.
-fn without_values_elsewhere(text: &str, mut statements: Vec<Span>) -> Vec<Span> {
+/// Statements without what one of them is at some place, `V(0) = 0` beside `V(θ) = …`, unless only that place `answers`.
+fn without_values_elsewhere<'t>(
+    text: &'t str,
+    mut statements: Vec<Span>,
+    answers: &dyn Fn(Passage<'t>) -> bool,
+) -> Vec<Span> {
     let label = |own: &Span| label(text, *own).map(|label| &text[label.range()]);
     let functions: Vec<&str> = statements
         .iter()
@@ -268,7 +281,9 @@ fn without_values_elsewhere(text: &str, mut statements: Vec<Span>) -> Vec<Span> 
         .collect();
     let is_elsewhere = |own: &Span| {
         label(own).is_some_and(|label| {
-            is_at_value(label) && functions.contains(&without_arguments(label))
+            let bare = without_arguments(label);
+            let is_asked_there = || answers(Passage::of(label)) && !answers(Passage::of(bare));
+            is_at_value(label) && functions.contains(&bare) && !is_asked_there()
         })
     };
     statements.retain(|own| !is_elsewhere(own));

@@ -58,8 +58,11 @@ pub(crate) fn statements_by(text: &str, joint_at: impl Fn(&str) -> Option<usize>
         while let Some(length) = joint_at(&text[own.range()]).filter(|_| !found.is_empty()) {
             own = trimmed(text, Span::new(own.range().start + length, own.range().end));
         }
-        // `, i.e. x'' = …`
-        if !found.is_empty() && text[own.range()].starts_with('=') {
+        // `, i.e. x'' = …`; `I = …, with r = R, = …` goes on with what the statement before is about.
+        if !found.is_empty()
+            && let Some(behind) = text[own.range()].strip_prefix('=')
+            && behind.contains(['=', '≈'])
+        {
             own = trimmed(text, Span::new(own.range().start + 1, own.range().end));
         }
         if own.range().is_empty() {

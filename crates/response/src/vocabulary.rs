@@ -3,8 +3,8 @@
 use std::collections::BTreeMap;
 
 use super::customary::{
-    CustomaryRate, DECAY_RATES, bare_frequency, damped, decay_rate, indexed_frequencies,
-    initial_state, length, natural_frequency, velocities,
+    CustomaryRate, DECAY_RATES, about_axis, bare_frequency, damped, decay_rate,
+    indexed_frequencies, initial_state, length, natural_frequency, velocities,
 };
 use super::letters::Letters;
 use super::lexicon::LexiconEntry;
@@ -115,6 +115,9 @@ impl Words {
             for word in indexed_frequencies() {
                 words.offer(&word, &WordSense::of_name(name));
             }
+        }
+        for (word, name) in about_axis(entries) {
+            words.offer(word, &WordSense::of_name(name));
         }
         for (word, meaning) in damped(entries) {
             words.offer(word, &WordSense::Leaf(meaning));

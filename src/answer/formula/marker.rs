@@ -12,7 +12,8 @@ use crate::answer::{
     Answered, Close, Credit, Doubt, Echo, Key, Marker, Marking, Misfit, Nature, Note, Reading,
     Reason, Remark, Slip, Trial, Unreadable, Verdict, Why,
 };
-use crate::expr::{Expr, Field};
+use crate::expr::{Expr, Field, Kind, Operator, Substitution};
+use crate::math::symbol;
 use crate::response::{BeforeUnit, Manner, Passage, Stated, Trouble, Typed, TypedError};
 use crate::unit::{DecimalMark, Unit};
 
@@ -112,7 +113,54 @@ impl Prepared {
     /// The marking of a statement that begins with steps in letters of one's own, if it is right.
     fn right_behind_steps(&self, response: Passage<'_>) -> Option<Marking> {
         let typed = self.behind_own_steps(response)?;
-        let mut all = [typed.value].into_iter().chain(typed.others);
+        self.right_of([typed.value].into_iter().chain(typed.others))
+    }
+
+    /// The marking of the last of several statements, if it is right and none of them is named as what is asked:
+    /// `F = k x, m g = k x, x = m g/k`.
+    fn right_in_last(&self, response: Passage<'_>) -> Option<Marking> {
+        let stated = self.stated(response).ok()?;
+        let is_asked = |label| self.setup.naming.is_of_asked(label);
+        let last = stated.last_of_others()?;
+        if stated.label().is_some_and(is_asked) || self.setup.naming.check(last).is_err() {
+            return None;
+        }
+        let marking = self.mark_alone(last).ok()?;
+        (marking.verdict == Verdict::Right).then_some(marking)
+    }
+
+    /// The marking of a formula with a letter for another one that it is alike, `L` for the length ℓ where the item has
+    /// another L, if it is right.
+    fn right_with(&self, letter: &str, meant: &str, response: Passage<'_>) -> Option<Marking> {
+        let lexicon = &self.setup.lexicon;
+        let [other, meant] = lexicon.stand_in(letter, meant)?;
+        let put = Substitution::new().with(other.clone(), Expr::name(meant));
+        let stated = self.stated(response).ok()?;
+        let lexicon = lexicon.with(&other, symbol(other.as_str()));
+        let typed = stated.formula(&lexicon, self.manner()).ok()?;
+        let all = [typed.value].into_iter().chain(typed.others);
+        let all = all.filter(|expr| expr.names().uses(&other));
+        self.right_of(all.filter_map(|expr| put.apply(&expr).ok()))
+    }
+
+    /// The marking of a statement of a multiple or the reciprocal of what is asked, `2λ = c/m`, `1/k = 1/k1 + 1/k2`, if
+    /// what is asked follows right from it.
+    fn right_if_solved(&self, response: Passage<'_>) -> Option<Marking> {
+        let naming = &self.setup.naming;
+        let stated = self.stated(response).ok()?;
+        let pieces = stated.pieces();
+        let [first, last] = pieces[..] else {
+            return None;
+        };
+        let left = naming.letters(first)?;
+        let typed = last.formula(&self.setup.lexicon, self.manner()).ok()?;
+        let all = [typed.value].into_iter().chain(typed.others);
+        let solved = all.filter_map(|right| solved(&left, right, &|name| naming.is_asked(name)));
+        self.right_of(solved)
+    }
+
+    /// The marking of the first of these formulas that is right.
+    fn right_of(&self, mut all: impl Iterator<Item = Expr>) -> Option<Marking> {
         all.find_map(|expr| {
             let read = Read {
                 misfit: self.misfit(&expr),
@@ -223,12 +271,17 @@ impl Prepared {
         response.stated(|label| self.setup.naming.is_of_asked(label))
     }
 
-    /// The other sides of the equals signs of a response, each in its readings.
+    /// The other sides of the equals signs of a response, each in its readings. A letter that the item has in the other
+    /// case alone is another one: `4π² m/T²` where it has t.
     fn other_forms(&self, response: Passage<'_>) -> Vec<Typed<Expr>> {
+        let manner = Manner {
+            is_in_any_case: false,
+            ..self.manner()
+        };
         let stated = self.stated(response);
         stated.map_or_else(
             |_| Vec::new(),
-            |stated| stated.other_forms(&self.setup.lexicon, self.manner()),
+            |stated| stated.other_forms(&self.setup.lexicon, manner),
         )
     }
 
@@ -397,6 +450,24 @@ impl Prepared {
     }
 }
 
+/// What is asked by an equation whose left side is a multiple of it by a number, or of its reciprocal.
+fn solved(left: &Expr, right: Expr, is_asked: &dyn Fn(&Expr) -> bool) -> Option<Expr> {
+    let is_number = |side: &Expr| side.names().free.is_empty();
+    match left.kind() {
+        _ if is_asked(left) => Some(right),
+        Kind::Binary(Operator::Multiply, factor, rest) if is_number(factor) => {
+            solved(rest, right / factor.clone(), is_asked)
+        }
+        Kind::Binary(Operator::Divide, rest, divisor) if is_number(divisor) => {
+            solved(rest, right * divisor.clone(), is_asked)
+        }
+        Kind::Binary(Operator::Divide, above, rest) if is_number(above) => {
+            solved(rest, above.clone() / right, is_asked)
+        }
+        _ => None,
+    }
+}
+
 /// Whether a formula is the key but for rounded numbers.
 fn is_rounded(marking: &Marking) -> bool {
     let near = Remark::from(Slip::Near(Close::RoundedFormula));
@@ -453,12 +524,28 @@ impl Marker for Prepared {
     fn mark(&self, response: Passage<'_>) -> Marking {
         match self.mark_alone(response) {
             Ok(marking) if marking.reasons().contains(&Reason::Dimension) => {
-                self.right_before_unit(response).unwrap_or(marking)
+                let other = self.right_before_unit(response);
+                let other = other.or_else(|| self.right_in_last(response));
+                other
+                    .or_else(|| self.right_with("L", "ell", response))
+                    .unwrap_or(marking)
+            }
+            // `1 + e/2` for ε, which many cannot type.
+            Ok(marking) if marking.verdict == Verdict::Wrong => {
+                self.right_with("e", "epsilon", response).unwrap_or(marking)
             }
             Ok(marking) => marking,
             Err(error)
                 if error.trouble == Trouble::Unsolved
-                    && let Some(marking) = self.right_behind_steps(response) =>
+                    && let Some(marking) = self
+                        .right_behind_steps(response)
+                        .or_else(|| self.right_if_solved(response)) =>
+            {
+                marking
+            }
+            Err(error)
+                if matches!(error.trouble, Trouble::NotAllowed(_))
+                    && let Some(marking) = self.right_with("L", "ell", response) =>
             {
                 marking
             }

@@ -212,6 +212,9 @@ impl Folder<'_> {
         if matches!(name, "quad" | "qquad") && self.parts_statements(length) {
             return self.write(";", length);
         }
+        if name == "propto" && self.is_before_list(length) {
+            return self.write("=", length);
+        }
         if let Some((_, unit)) = UNITS.iter().find(|(own, _)| *own == name) {
             return self.write(unit, length);
         }
@@ -234,9 +237,12 @@ impl Folder<'_> {
     }
 }
 
-/// Whether what is set in another face is a number, perhaps with its unit, or nothing.
+/// Whether what is set in another face is a number, perhaps with its unit, an equation, or nothing.
 fn is_unlettered(text: &str) -> bool {
     let text = text.trim_matches([' ', '~']);
+    if text.contains('=') {
+        return true;
+    }
     // A line under a line.
     let text = text.strip_prefix("\\underline{").unwrap_or(text);
     text.is_empty()

@@ -65,8 +65,8 @@ fn end_of_steps(line: &str) -> Option<usize> {
     is_step.then_some(at + arrow.len())
 }
 
-/// Where the only arrow of a line stands that leads from a name to its value, `ζ → 1.06`, `C -> 0.18`, and how long it
-/// is: programs and some people write it for an equals sign.
+/// Where the only arrow of a line stands that leads from a name to its value, `ζ → 1.06`, `C -> {{k, -k}, {-k, k}}`, and
+/// how long it is: programs and some people write it for an equals sign.
 fn arrow_to_value(line: &str) -> Option<(usize, usize)> {
     if !line.contains(OF_ARROWS) {
         return None;
@@ -76,15 +76,20 @@ fn arrow_to_value(line: &str) -> Option<(usize, usize)> {
         .filter_map(|arrow| Some((line.find(arrow)?, *arrow)));
     let (at, arrow) = found.next().filter(|_| found.next().is_none())?;
     let (before, behind) = (line[..at].trim(), &line[at + arrow.len()..]);
-    let relates = |text: &str| text.contains(['=', '≈', '<', '>', '≤', '≥', '→', ',', ':']);
+    let relates = |text: &str| text.contains(['=', '≈', '<', '>', '≤', '≥', '→', ':']);
     let begins =
-        |first: char| first.is_ascii_digit() || ".+√π∞(".contains(first) || is_minus(first);
+        |first: char| first.is_ascii_digit() || ".+√π∞([{".contains(first) || is_minus(first);
     let is_name = before.starts_with(|first: char| first.is_alphabetic() || "\\|".contains(first))
+        && !before.contains(',')
         // `t -> 2 t` is a function.
         && before != "t";
     let is_value = behind.starts_with([' ', '\\']) || behind.starts_with(begins);
     let value = behind.trim_start();
-    let is_value = is_value && (value.starts_with(begins) || value.starts_with("\\pi"));
+    // `λ -> c/(2 m)`, where one letter alone may be what a limit goes to.
+    let is_formula =
+        || value.starts_with(char::is_alphabetic) && value.contains(['*', '/', '^', '(', '+', '²']);
+    let is_value =
+        is_value && (value.starts_with(begins) || value.starts_with("\\pi") || is_formula());
     let is_used = value
         .split(|char: char| !char.is_alphanumeric())
         .any(|word| word == before);
@@ -96,7 +101,7 @@ fn arrow_to_value(line: &str) -> Option<(usize, usize)> {
         && is_value
         && !is_used
         && (is_rounded || !relates(before))
-        && !relates(behind))
+        && !(relates(behind) || is_rounded && behind.contains(',')))
     .then_some((at, arrow.len()))
 }
 

@@ -40,6 +40,8 @@ pub(crate) const REMARKS: &[&str] = &[
     "any combination",
     "any multiple",
     "or any multiple",
+    "checked",
+    "verified",
 ];
 
 /// Words after a value that say of which sign or of what it is: without them it would be another one.
