@@ -28,7 +28,7 @@ pub(crate) fn exact_forms(formulas: &[Expr]) -> impl Iterator<Item = Vec<Expr>> 
 /// The part by which a formula may be off from the exact one for the rounding of its decimals; none where it has none of
 /// three figures.
 pub(crate) fn rounding(formula: &Expr) -> Option<f64> {
-    largest(formula, |number| Decimal::of(number))
+    largest(formula, Decimal::of)
 }
 
 /// The same of values in place of letters, where integers of three figures are rounded, too.
@@ -95,12 +95,13 @@ impl Decimal {
             }
             places = places.max(count);
         }
-        let scaled = number.checked_mul(Rational::new(10_i128.checked_pow(places)?, 1)?)?;
+        let unit = Rational::new(1, 10_i128.checked_pow(places)?)?;
+        let scaled = number.checked_div(unit)?;
         let figures = scaled.numerator().checked_ilog10()? + 1;
         let is_decimal = places > 0 && denominator == 1 && figures >= MIN_FIGURES;
         is_decimal.then(|| Self {
             value: number.to_f64(),
-            half: 0.5 / 10_f64.powi(places as i32),
+            half: unit.to_f64() / 2.0,
         })
     }
 
