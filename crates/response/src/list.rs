@@ -92,8 +92,17 @@ pub(crate) fn list_of_form(
         }
         others.push(listed);
     }
-    let typed = others.iter().position(Result::is_ok).unwrap_or(0);
-    others.swap_remove(typed)
+    let typed = others.iter().position(Result::is_ok);
+    // `[[M1, 0], [0, M2]]` for m₁ and m₂, where nothing else can be read.
+    let in_any_case = || {
+        let manner = Manner::default().in_any_case();
+        let listed = list(&plain, lexicon, manner, units, wanted);
+        listed.ok().filter(fits)
+    };
+    match typed {
+        None if let Some(listed) = in_any_case() => Ok(listed),
+        _ => others.swap_remove(typed.unwrap_or(0)),
+    }
 }
 
 /// The entries of a list by rows; a list without rows is one row.
