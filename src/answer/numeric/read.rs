@@ -301,21 +301,27 @@ fn said_once(
             .ok()
             .filter(|number| number.others.is_empty())
     };
-    let numbers: Vec<TypedNumber> = statements.iter().map(read).collect::<Option<_>>()?;
+    let mut numbers: Vec<TypedNumber> = statements.iter().map(read).collect::<Option<_>>()?;
+    // The unit may be said with one of them, `x = 5, x = 5 mm`.
+    let mut units = numbers.iter().map(|number| number.quantity.unit);
+    let unit = units.find(|unit| !unit.dimension().is_pure());
+    if let Some(unit) = unit {
+        let bare = numbers.iter_mut().filter(|own| own.quantity.unit.is_one());
+        bare.for_each(|own| *own = own.clone().with_unit(unit));
+    }
     let (first, others) = numbers.split_first()?;
     let unit = first.quantity.unit;
     let mut most = first.clone();
     for other in others {
-        let mut other = other.clone();
-        if other.quantity.unit.is_one() && !unit.dimension().is_pure() {
-            other = other.with_unit(unit);
-        }
+        let other = other.clone();
         let figures = |number: &TypedNumber| number.quantity.value.significant_figures();
         let is_same_unit = other.quantity.unit == unit;
         let is_longer = other.arithmetic.is_none() && figures(&other) > figures(&most);
         // `0.333 (1/3)`
         let is_exact = other.arithmetic.is_some();
-        let is_restated = !is_same_unit || first.arithmetic.is_none() && (is_exact || is_longer);
+        let is_same = other.quantity.value == first.quantity.value;
+        let is_restated =
+            !is_same_unit || first.arithmetic.is_none() && (is_exact || is_longer || is_same);
         if !is_restated || !is_same_but_for_rounding(first, &other) {
             return None;
         }
