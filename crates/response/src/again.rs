@@ -2,17 +2,20 @@
 
 use super::aside;
 use super::reworded::{Reworded, of_spoken_numbers};
+use super::words::CORRECTIONS;
 
 /// What is read in place of a text; none where it has nothing of the kind.
 type Rereading = fn(&str) -> Option<Reworded>;
 
 /// The ways, in the order in which they are tried. What comes out of one is an answer where it is right, so that no way
 /// makes a wrong one of what could not be read.
-const WAYS: [Rereading; 3] = [
+const WAYS: [Rereading; 4] = [
     // What is said after an answer, where it holds or where it comes from, does not change it.
     |text| aside::before(text).map(Reworded::from),
     // Nor do words before it that describe it; a comma after them may also part two answers, so that they come later.
     |text| aside::behind(text).map(Reworded::from),
+    // What is corrected is no answer.
+    |text| corrected(text).map(Reworded::from),
     // Last, since `two` and `half` count things in what is said beside an answer, too.
     of_spoken_numbers,
 ];
@@ -20,4 +23,13 @@ const WAYS: [Rereading; 3] = [
 /// What may be read in place of a text, by each way that it allows.
 pub(crate) fn read_again(text: &str) -> impl Iterator<Item = Reworded> {
     WAYS.iter().filter_map(move |way| way(text))
+}
+
+/// What comes after the last word with which an answer is corrected, `5 m -> sorry, 6 m`.
+fn corrected(text: &str) -> Option<&str> {
+    let behind = CORRECTIONS.iter().filter_map(|word| {
+        let (before, behind) = text.rsplit_once(word)?;
+        (!before.trim().is_empty()).then_some(behind.trim())
+    });
+    behind.min_by_key(|behind| behind.len())
 }
