@@ -145,8 +145,10 @@ impl Naming {
     /// The name of what is asked, if a label is its printed symbol.
     fn printed_name(&self, label: Passage<'_>) -> Result<Option<&Name>, Unreadable> {
         let typed = Label::of_passage(label);
+        let of_omega = typed.with_omega();
         // What is asked may be printed as another quantity is that serves its solution.
-        let same = self.printed.iter().filter(|(printed, _)| *printed == typed);
+        let is_same = |printed: &Label| *printed == typed || of_omega.as_ref() == Some(printed);
+        let same = self.printed.iter().filter(|(printed, _)| is_same(printed));
         let names: Vec<&Name> = same.map(|(_, name)| name).collect();
         match names.iter().find(|name| self.asked.contains(name)) {
             Some(name) => Ok(Some(name)),
@@ -227,6 +229,9 @@ impl Naming {
     }
 
     fn is_of_another(&self, label: Passage<'_>) -> bool {
+        if self.is_of_other_complex(label) {
+            return true;
+        }
         // In `F0/(m2 Ω²)` no unit stands beside a name.
         let bare = if self.reads(label).is_some_and(|own| is_quotient(&own)) {
             label
@@ -251,6 +256,24 @@ impl Naming {
                 customary.any(|letter| bare.has_letter(letter)) || self.is_made_of_asked(bare)
             }
         }
+    }
+
+    /// Whether a label is a part of a complex number that has the letter of what is asked and another index: `arg Z_m`,
+    /// where that of Z_k is asked.
+    fn is_of_other_complex(&self, label: Passage<'_>) -> bool {
+        let is_letter = |letter: &str| {
+            let mut asked = self.asked.iter();
+            asked.any(|own| parted(own.as_str()).0 == letter)
+        };
+        let read = label
+            .behind_part_of_complex()
+            .and_then(|own| self.reads(own));
+        read.is_some_and(|own| match own.kind() {
+            expr::Kind::Name(name) => {
+                self.others.contains(name) && is_letter(parted(name.as_str()).0)
+            }
+            _ => false,
+        })
     }
 
     /// Whether a label is the letter of the matrix that is asked, `K` for K_θ, whatever else has that letter.

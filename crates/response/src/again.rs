@@ -1,6 +1,7 @@
 //! Other ways to read an answer, where nothing can be read of all that was typed: less of it, or its words as numbers.
 
 use super::reworded::{Reworded, of_spoken_numbers};
+use super::words::CORRECTIONS;
 use super::{Passage, aside, sides};
 
 /// What is read in place of a text; none where it has nothing of the kind.
@@ -8,7 +9,7 @@ type Rereading = fn(&str) -> Option<Reworded>;
 
 /// The ways, in the order in which they are tried. What comes out of one is an answer where it is right, so that no way
 /// makes a wrong one of what could not be read.
-const WAYS: [Rereading; 6] = [
+const WAYS: [Rereading; 7] = [
     // What is said after an answer, where it holds or where it comes from, does not change it.
     |text| aside::before(text).map(Reworded::from),
     // The same of each of several equations.
@@ -19,6 +20,8 @@ const WAYS: [Rereading; 6] = [
     |text| aside::behind(text).map(Reworded::from),
     // What steps lead to is the answer: `½ k (2x)² = ½ (4k) x² → 4k`.
     |text| Some(Reworded::from(Passage::of(text).concluded()?.text())),
+    // What is corrected is no answer.
+    |text| corrected(text).map(Reworded::from),
     // Last, since `two` and `half` count things in what is said beside an answer, too.
     of_spoken_numbers,
 ];
@@ -26,4 +29,13 @@ const WAYS: [Rereading; 6] = [
 /// What may be read in place of a text, by each way that it allows.
 pub(crate) fn read_again(text: &str) -> impl Iterator<Item = Reworded> {
     WAYS.iter().filter_map(move |way| way(text))
+}
+
+/// What comes after the last word with which an answer is corrected, `5 m -> sorry, 6 m`.
+fn corrected(text: &str) -> Option<&str> {
+    let behind = CORRECTIONS.iter().filter_map(|word| {
+        let (before, behind) = text.rsplit_once(word)?;
+        (!before.trim().is_empty()).then_some(behind.trim())
+    });
+    behind.min_by_key(|behind| behind.len())
 }

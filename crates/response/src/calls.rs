@@ -156,9 +156,10 @@ impl Parser<'_> {
             return Self::counted(function, vec![argument], open);
         }
         let mut arguments = self.listed()?;
-        // `cos(ω_n) t`, where only so it makes sense.
+        // `cos(ω_n) t`, where only so it makes sense; a sign of times says that the bracket ends the argument.
         if let [argument] = &arguments[..]
             && function != Function::Sqrt
+            && !self.is_sign('*')
             && let Some(end) = self.end_at_time(argument)
             && self.ways.choose(Doubtful::Argument, false)
         {

@@ -10,13 +10,16 @@ use vibank_source::lower;
 /// others.
 const COUNTED: &str = "degree degrees of freedom degrés de liberté freiheitsgrade freiheitsgrad dofs ddl coordinates coords \
                        constraints equations pairs modes equilibria positions independent holonomic geometric number \
-                       total altogether";
+                       total altogether translations rotations lengths distances angles fixed";
 
 /// What is counted in time.
 const TURNS_OF_TIME: &str = "periods oscillations vibrations swings times half-cycles";
 
 /// Words with which a count is another one, or none, beside those that leave open, deny or change anything.
 const OTHERS: &[&str] = &["less", "fewer", "least", "most", "than", "times", "but"];
+
+/// What is said before the number of one of several.
+const NUMBERED: [&str; 3] = ["No. ", "no. ", "Nr. "];
 
 /// Words and signs before a count that follows from what stands before them; an arrow has become an equals sign.
 const SO: &[&str] = &[
@@ -34,6 +37,10 @@ const SO: &[&str] = &[
 /// freedom`, `2 half-cycles`, `two (x, y)` and `x, y so 2` are `2`; none where nothing of that was typed.
 pub(crate) fn in_digits(typed: &str, asked: &Wording) -> Option<String> {
     let text = typed.trim().trim_end_matches(['.', '!']);
+    let numbered = NUMBERED.iter().find_map(|word| text.strip_prefix(word));
+    if let Some(number) = numbered.filter(|own| own.parse::<u32>().is_ok()) {
+        return Some(number.to_owned());
+    }
     let known = Wording::of(COUNTED).joined(asked);
     let signs = [text.rfind(':'), text.rfind('=')].into_iter().flatten();
     let starts = std::iter::once(0).chain(signs.map(|at| at + 1));
@@ -113,8 +120,14 @@ fn count(said: &str, known: &Wording) -> Option<String> {
     is_said.then_some(number)
 }
 
-/// Whether words say nothing against a count; numbers among them are factors of it, `12 (3 per point)`.
+/// Whether words say nothing against a count; integers among them are factors of it, `12 (3 per point)`, decimals what it
+/// comes from, `3 (2.76 rounded up)`, and zeros what vanishes, `2 (z = 0 and length constant)`.
 fn is_remark(remark: &str, count: &str) -> bool {
+    let remark = remark.replace(" = ", "=").replace("=0", " ");
+    let is_decimal = |own: &str| {
+        let value = own.parse::<f64>();
+        value.is_ok_and(|value| value.fract() != 0.0)
+    };
     let is_factor = |own: &str| {
         let pair = own.parse::<u32>().ok().zip(count.parse::<u32>().ok());
         pair.is_some_and(|(own, count)| 0 < own && own < count && count % own == 0)
@@ -124,7 +137,7 @@ fn is_remark(remark: &str, count: &str) -> bool {
         .filter(|word| !word.is_empty());
     remark.contains(char::is_alphabetic)
         && words.all(|word| match number(word) {
-            Some(own) => is_factor(&own),
+            Some(own) => is_factor(&own) || is_decimal(&own),
             None => matches!(word, "and" | "per") || !is_other(word),
         })
 }

@@ -74,6 +74,37 @@ impl Lexer<'_> {
         }
     }
 
+    /// `6!/(2! 4!)`; whether the sign of a factorial stands here behind its integer.
+    pub(crate) fn factorial(&mut self, char: char) -> bool {
+        /// Nobody types the factorial of a larger number.
+        const MOST: i128 = 20;
+        let Some([before @ .., last]) = (char == '!').then_some(&self.tokens[..]) else {
+            return false;
+        };
+        let Item::Number(number) = last.item else {
+            return false;
+        };
+        let behind = &self.rest()['!'.len_utf8()..];
+        let is_integer = number.denominator() == 1 && (0..=MOST).contains(&number.numerator());
+        if !is_integer || self.is_spaced || !is_factorial(before.last(), behind) {
+            return false;
+        }
+        let product = (2..=number.numerator()).product();
+        let Some(value) = Rational::new(product, 1) else {
+            return false;
+        };
+        let start = last.span.range().start;
+        self.is_spaced = last.is_spaced;
+        self.tokens.pop();
+        self.at += '!'.len_utf8();
+        self.push(Item::Number(value), start);
+        // `2! 4!`
+        if begins_with_factorial(behind) {
+            self.take(0, Item::Sign('*'));
+        }
+        true
+    }
+
     /// Whether a comma here parts arguments, or may do so.
     pub(crate) fn parts_arguments(&self) -> bool {
         self.comma_here() != Comma::Decimal
@@ -231,4 +262,24 @@ pub(crate) fn fraction(sign: char) -> Option<Rational> {
         _ => return None,
     };
     Rational::new(above, below)
+}
+
+/// Whether a mark behind a number is the sign of a factorial, by what stands before the number and behind the mark; a
+/// number alone is exclaimed, `x = 5!`, and `!=` compares.
+fn is_factorial(before: Option<&Token>, behind: &str) -> bool {
+    let is_divided = before.is_some_and(|token| matches!(token.item, Item::Sign('/' | '*')));
+    let next = behind.trim_start();
+    match next.chars().next() {
+        None => is_divided,
+        Some('=') => next.len() < behind.len(),
+        Some('(') => next.len() == behind.len(),
+        Some(next) => "/*+-)^".contains(next) || begins_with_factorial(behind),
+    }
+}
+
+/// Whether the next number has the sign of a factorial, too.
+fn begins_with_factorial(text: &str) -> bool {
+    let text = text.trim_start();
+    let behind = text.trim_start_matches(|char: char| char.is_ascii_digit());
+    behind.len() < text.len() && behind.starts_with('!')
 }

@@ -16,6 +16,15 @@ fn are_no_words(text: &str) -> bool {
     !runs.any(|run| WORDS.contains(&run))
 }
 
+/// Whether a run of letters is one with an index that is the beginning of a word, `Trot`, `Epot`.
+fn is_letter_with_word(run: &str) -> bool {
+    const INDICES: [&str; 9] = [
+        "rot", "tot", "kin", "pot", "trans", "max", "min", "total", "tran",
+    ];
+    let index = run.get(1..).unwrap_or_default();
+    INDICES.contains(&index)
+}
+
 /// The letters of a text as names; nothing where its letters are words, or where it has no sign of a formula.
 pub(crate) fn lexicon(text: &str) -> Option<Lexicon> {
     /// Letters in a row that make a word, unless they are a function or a command.
@@ -24,7 +33,8 @@ pub(crate) fn lexicon(text: &str) -> Option<Lexicon> {
     let mut runs = text.split(|char: char| !char.is_ascii_alphabetic());
     let is_word = |run: &str| {
         let is_command = ["frac", "mathrm", "text"].contains(&run);
-        let is_known = is_command || is_function(run) || greek_word(run).is_some();
+        let is_known =
+            is_command || is_function(run) || greek_word(run).is_some() || is_letter_with_word(run);
         run.len() >= WORD && !is_known
     };
     if !text.contains(is_sign) || runs.any(is_word) || !are_no_words(text) {

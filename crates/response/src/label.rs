@@ -23,6 +23,13 @@ impl Label {
         Self::of_text(passage.text())
     }
 
+    /// The same with ω for the w that many type instead.
+    pub fn with_omega(&self) -> Option<Self> {
+        let behind = self.0.strip_prefix('w')?;
+        let is_letter = !behind.starts_with(char::is_alphabetic);
+        is_letter.then(|| Self(format!("omega{behind}")))
+    }
+
     fn of_text(text: &str) -> Self {
         let mut label = String::new();
         let mut rest = text;

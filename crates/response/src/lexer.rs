@@ -122,6 +122,7 @@ impl<'a> Lexer<'a> {
             || self.unknown_time(char)
             || self.times_as_letter(char)
             || self.base_of_exponential(char)
+            || self.factorial(char)
         {
             return Ok(());
         }

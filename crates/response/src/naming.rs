@@ -87,6 +87,11 @@ pub(crate) fn is_frequency(name: &str) -> bool {
 /// Whether a name stands for something that is made of a complex number, `|Z|`, `Re(Z)`, `arg Z`, `Z*`; a bar or a line
 /// below marks phasors, too.
 pub(crate) fn is_made_of_complex(name: &str) -> bool {
+    name.starts_with(['|', '∠']) || name.ends_with('*') || behind_part_of_complex(name).is_some()
+}
+
+/// What comes after the word for a part of a complex number, `Z` of `arg Z` and of `Re(Z)`.
+pub(crate) fn behind_part_of_complex(name: &str) -> Option<&str> {
     const MADE: [&str; 10] = [
         "Re",
         "Im",
@@ -101,9 +106,8 @@ pub(crate) fn is_made_of_complex(name: &str) -> bool {
     ];
     let is_word = |char: char| char.is_alphanumeric() || char == '_';
     let mut behind = MADE.iter().filter_map(|made| name.strip_prefix(made));
-    name.starts_with(['|', '∠'])
-        || name.ends_with('*')
-        || behind.any(|behind| !behind.starts_with(is_word))
+    let behind = behind.find(|behind| !behind.starts_with(is_word))?;
+    Some(behind.trim_matches([' ', '(', ')', '[', ']']))
 }
 
 /// Whether a text is no more than a symbol: letters, digits, and what subscripts are written with.

@@ -328,6 +328,11 @@ impl<'t> Passage<'t> {
         naming::is_made_of_complex(self.0)
     }
 
+    /// What comes after the word for a part of a complex number, `Z` of `arg Z`.
+    pub fn behind_part_of_complex(self) -> Option<Self> {
+        naming::behind_part_of_complex(self.0).map(Self::of)
+    }
+
     /// Whether it is three digits, as those after a space in `5 000`.
     pub fn is_group_of_digits(self) -> bool {
         self.0.len() == 3 && self.0.bytes().all(|byte| byte.is_ascii_digit())

@@ -240,10 +240,11 @@ impl Phrase {
         }
     }
 
-    /// Whether both are the same but for gaps, `under-damped` and `under damped`.
+    /// Whether both are the same but for gaps, `under-damped` and `under damped`, `Ω > √2 ω` and `Ω > √2ω`.
     pub fn is_joined_as(&self, other: &Self) -> bool {
         let own = self.joined();
-        own.is_some() && own == other.joined()
+        let signs = |phrase: &'_ Self| phrase.plain.replace(' ', "");
+        own.is_some() && own == other.joined() || self.relate() && signs(self) == signs(other)
     }
 
     /// Words as one; a formula keeps its signs.

@@ -15,7 +15,7 @@ mod said;
 
 use std::ops::Range;
 
-use self::marks::{CALLS, Mark, Marked, marks};
+use self::marks::{CALLS, INTERSECTION, Mark, Marked, marks};
 use self::said::{condition_said, in_words, without_said_ends};
 use super::answering::without_condition;
 use super::list::{cut, cut_where, trimmed};
@@ -38,6 +38,8 @@ pub enum Ranges<'t> {
 pub struct Group<'t> {
     /// All of them.
     pub typed: Passage<'t>,
+    /// Whether the sign of an intersection stands in it; `and` may list, too.
+    pub is_common: bool,
     /// At least one.
     pub conditions: Vec<Condition<'t>>,
 }
@@ -183,8 +185,10 @@ impl<'t> Ranges<'t> {
         }
         let group = |span: Span| {
             let conditions = reader.parted(span, |mark| mark == Mark::And).into_iter();
+            let typed = &text[span.range()];
             Ok(Group {
-                typed: Passage::of(&text[span.range()]),
+                typed: Passage::of(typed),
+                is_common: typed.contains(INTERSECTION),
                 conditions: conditions
                     .map(|span| reader.condition(span))
                     .collect::<Read<'t, _>>()?,

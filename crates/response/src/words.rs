@@ -12,7 +12,7 @@ mod remarks;
 mod signs;
 
 pub(crate) use self::around::{
-    ASIDES, LEADS, METHODS, REASONS, SEALS, SOURCES, TRAILS, WITHDRAWALS,
+    ASIDES, CORRECTIONS, LEADS, METHODS, REASONS, SEALS, SOURCES, TRAILS, WITHDRAWALS,
 };
 pub(crate) use self::choices::{
     ANNOUNCEMENTS, CLAUSES, DENIALS, DOUBTS, FILLERS, JOINTS, PREFIXES, RUNS_OF_WORDS, STRESSES,
@@ -28,4 +28,4 @@ pub(crate) use self::numbers::{COUNTS, FACTORS, PARTS};
 pub(crate) use self::programs::{EQUATIONS, LISTS, MODULES, NUMBERS};
 pub(crate) use self::ranges::{CONDITIONS, ENDS, LIMITS, ONWARDS, RANGES, RANKS, UNBOUNDED};
 pub(crate) use self::remarks::{OF_MINUS, OTHER_VALUES, REMARKS, TURNING};
-pub(crate) use self::signs::{Between, HALF_PI, LETTERS, PERCENT, VERBS, WORDS};
+pub(crate) use self::signs::{Between, HALF_PI, LETTERS, PER_MILLE, PERCENT, VERBS, WORDS};

@@ -4,7 +4,7 @@ use super::bound::Ends;
 use super::set::{End, Set, SetPiece};
 use super::subject::BoundedSubject;
 use crate::answer::{Example, Misfit, Unreadable, Why};
-use crate::response::{Bounding, Condition, Group, Passage, RangeError, Ranges, Said};
+use crate::response::{Bounding, Condition, Passage, RangeError, Ranges, Said};
 use crate::unit::Unit;
 
 /// Why a response is no set.
@@ -54,8 +54,8 @@ pub(crate) fn read(ends: &Ends<'_>, response: Passage<'_>) -> Read<Set> {
         Ranges::Union(groups) => groups,
     };
     let mut pieces = Vec::new();
-    for Group { typed, conditions } in groups.iter().rev() {
-        let sets = conditions.iter().rev();
+    for group in groups.iter().rev() {
+        let sets = group.conditions.iter().rev();
         let sets = sets
             .map(|condition| set_of(ends, condition, &mut unit))
             .collect::<Read<Vec<Set>>>()?;
@@ -65,7 +65,7 @@ pub(crate) fn read(ends: &Ends<'_>, response: Passage<'_>) -> Read<Set> {
             !set.0.is_empty() && ends.all(|end| end.value.is_finite())
         };
         // `[1, 2) and (3, 4]` lists both.
-        let are_listed = sets.len() > 1 && sets.iter().all(is_bounded);
+        let are_listed = !group.is_common && sets.len() > 1 && sets.iter().all(is_bounded);
         let listed: Vec<SetPiece> = sets.iter().flat_map(|set| set.0.clone()).collect();
         let common = sets.into_iter().reduce(|all, own| all.common(&own));
         let common = common.unwrap_or_default();
@@ -74,7 +74,7 @@ pub(crate) fn read(ends: &Ends<'_>, response: Passage<'_>) -> Read<Set> {
             continue;
         }
         if are_met && common.0.is_empty() {
-            return Err(Why::NoneSatisfies((*typed).into()).into());
+            return Err(Why::NoneSatisfies(group.typed.into()).into());
         }
         pieces.extend(common.0);
     }

@@ -295,7 +295,7 @@ impl Numbers {
             let (own_unit, other_unit) = (own.quantity.unit, other.quantity.unit);
             own.others.is_empty()
                 || own.is_by_rule && own_unit == other_unit
-                || own_unit.is_one() && !other_unit.is_one()
+                || own_unit.is_one() && !other_unit.is_one() && !self.vanishes()
         };
         let rule = if items.iter().zip(other).all(is_by_rule) {
             Rule::Stated
@@ -337,6 +337,23 @@ impl Numbers {
         if is_scaled && number.quantity.unit.is_one() && number.arithmetic.is_some() {
             let bare = number.alone();
             number.others.push(bare.with_unit(coherent));
+        }
+        number
+    }
+
+    /// Whether the key is nothing, so that one tolerance for all that is near says nothing of the unit.
+    fn vanishes(&self) -> bool {
+        self.targets.iter().all(|target| target.value == 0.0)
+    }
+
+    /// A number as it is marked: where the key is nothing, a bare one is near it in the unit that is asked, though it may
+    /// be far off in SI units, `0.06` of metres for millimetres.
+    fn doubted(&self, mut number: TypedNumber) -> TypedNumber {
+        let coherent = self.unit.coherent();
+        let is_bare = number.quantity.unit.is_one() && !number.quantity.value.is_zero();
+        let is_scaled = coherent.to_si(1.0) != self.unit.to_si(1.0);
+        if self.vanishes() && is_bare && is_scaled && number.others.is_empty() {
+            number.others.push(number.alone().with_unit(coherent));
         }
         number
     }
@@ -454,7 +471,7 @@ impl Marker for Numbers {
         }
         match read::number(response, self.setting()) {
             Ok(number) => {
-                let number = self.meant(number);
+                let number = self.doubted(self.meant(number));
                 let other = number.otherwise();
                 let other = (!number.others.is_empty()).then_some(std::slice::from_ref(&other));
                 self.settled(std::slice::from_ref(&number), other, |items| {

@@ -269,13 +269,13 @@ fn number_alone(response: Passage<'_>, setting: Setting<'_>) -> Result<TypedNumb
     let all = values.all();
     let mut restated = values.statements(&all);
     if restated.len() > 1 {
-        return said_once(&values, &restated, setting).ok_or_else(|| {
+        return said_once(&values, &restated, true, setting).ok_or_else(|| {
             Unreadable::at(response.short(), Why::Inequality).like(Example::OneValue)
         });
     }
     if let Some((value, inner)) = values.back_bracket(&all) {
         restated = vec![value, inner];
-        if let Some(number) = said_once(&values, &restated, setting) {
+        if let Some(number) = said_once(&values, &restated, false, setting) {
             return Ok(number);
         }
         // `0.7 s (second)`
@@ -290,10 +290,12 @@ fn number_alone(response: Passage<'_>, setting: Setting<'_>) -> Result<TypedNumb
 }
 
 /// The first of several statements that give one value, each in another unit, `0.314 (31.4 %)`, `2 Hz or 12.57 rad/s`, or
-/// with more figures, of which the most count: `2 Hz (exactly 2.013 Hz)`.
+/// with more figures, of which the most count: `2 Hz (exactly 2.013 Hz)`. The same once more says nothing else only where
+/// it cannot be a factor, `5 (5)`.
 fn said_once(
     values: &Values<'_>,
     statements: &[Part],
+    may_repeat: bool,
     setting: Setting<'_>,
 ) -> Option<TypedNumber> {
     let read = |part: &Part| {
@@ -301,21 +303,27 @@ fn said_once(
             .ok()
             .filter(|number| number.others.is_empty())
     };
-    let numbers: Vec<TypedNumber> = statements.iter().map(read).collect::<Option<_>>()?;
+    let mut numbers: Vec<TypedNumber> = statements.iter().map(read).collect::<Option<_>>()?;
+    // The unit may be said with one of them, `x = 5, x = 5 mm`.
+    let mut units = numbers.iter().map(|number| number.quantity.unit);
+    let unit = units.find(|unit| !unit.dimension().is_pure());
+    if let Some(unit) = unit {
+        let bare = numbers.iter_mut().filter(|own| own.quantity.unit.is_one());
+        bare.for_each(|own| *own = own.clone().with_unit(unit));
+    }
     let (first, others) = numbers.split_first()?;
     let unit = first.quantity.unit;
     let mut most = first.clone();
     for other in others {
-        let mut other = other.clone();
-        if other.quantity.unit.is_one() && !unit.dimension().is_pure() {
-            other = other.with_unit(unit);
-        }
+        let other = other.clone();
         let figures = |number: &TypedNumber| number.quantity.value.significant_figures();
         let is_same_unit = other.quantity.unit == unit;
         let is_longer = other.arithmetic.is_none() && figures(&other) > figures(&most);
         // `0.333 (1/3)`
         let is_exact = other.arithmetic.is_some();
-        let is_restated = !is_same_unit || first.arithmetic.is_none() && (is_exact || is_longer);
+        let is_same = may_repeat && other.quantity.value == first.quantity.value;
+        let is_restated =
+            !is_same_unit || first.arithmetic.is_none() && (is_exact || is_longer || is_same);
         if !is_restated || !is_same_but_for_rounding(first, &other) {
             return None;
         }

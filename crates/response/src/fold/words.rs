@@ -5,7 +5,8 @@ use super::programs::holds_list;
 use crate::signs::TURNS;
 use crate::surroundings::behind_words;
 use crate::words::{
-    Between, HALF_PI, LETTERS, LISTS, NUMBERS, PERCENT, ROOTED_UNITS, ROOTS, VERBS, WORDS,
+    Between, HALF_PI, LETTERS, LISTS, NUMBERS, PER_MILLE, PERCENT, ROOTED_UNITS, ROOTS, VERBS,
+    WORDS,
 };
 use vibank_formula::unit::Unit;
 
@@ -27,7 +28,7 @@ impl Folder<'_> {
                 .filter(|(words, _)| self.is_shouted || begin_alike(rest, words));
             likely.find_map(|(words, plain)| {
                 let behind = behind_words(rest, words, is_same)?;
-                let may_end = *plain == PERCENT || matches!(*plain, "^2" | "^3" | HALF_PI);
+                let may_end = matches!(*plain, PERCENT | PER_MILLE | "^2" | "^3" | HALF_PI);
                 let ends = behind.starts_with(' ')
                     || may_end && !behind.starts_with(char::is_alphanumeric);
                 ends.then(|| (rest.len() - behind.len(), *plain))
@@ -47,7 +48,7 @@ impl Folder<'_> {
             .find_map(|verb| compares(verb))
             .or_else(|| of_words(rest))
             .filter(|(_, plain)| {
-                !before.is_empty() || matches!(*plain, "<" | ">" | "≤" | "≥" | "-" | HALF_PI)
+                !before.is_empty() || matches!(*plain, "<" | ">" | "≤" | "≥" | "-" | "+" | HALF_PI)
             })
     }
 

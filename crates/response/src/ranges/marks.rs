@@ -22,6 +22,9 @@ pub(crate) struct Marked {
     pub(crate) at: Range<usize>,
 }
 
+/// The sign of what two sets have in common.
+pub(crate) const INTERSECTION: char = '∩';
+
 /// Calls of programs for intervals, and whether each end is left out.
 pub(crate) const CALLS: [(&str, [bool; 2]); 7] = [
     ("Interval.open(", [true, true]),
@@ -79,7 +82,7 @@ fn mark(text: &str, at: usize, char: char, before: Option<&Marked>) -> Option<(M
         '>' => sign(false, true),
         '≥' => sign(false, false),
         '∪' => Mark::Or,
-        '∩' => Mark::And,
+        INTERSECTION => Mark::And,
         '∈' => Mark::Element,
         '(' | ')' | '[' | ']' | '{' | '}' => Mark::Bracket(char),
         '|' if rest.starts_with('|') => return Some((Mark::Or, 2)),

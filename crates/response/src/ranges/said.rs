@@ -67,6 +67,7 @@ fn group<'t>(typed: &'t str, said: Said<'t>) -> Group<'t> {
     let units = Vec::new();
     Group {
         typed: Passage::of(typed),
+        is_common: false,
         conditions: vec![Condition { units, said }],
     }
 }
@@ -103,13 +104,10 @@ fn onwards(text: &str) -> Option<Said<'_>> {
         })
     };
     let either_way = || {
-        let bound = text
-            .rsplit_once(['=', ':'])
-            .map_or(text, |(_, bound)| bound);
-        let bound = bound
-            .trim()
-            .strip_prefix('±')
-            .filter(|bound| !bound.contains('±'))?;
+        let bound = text.rsplit_once(':').map_or(text, |(_, bound)| bound);
+        // `x = ±3 mm` is two values.
+        let bound = bound.trim().strip_prefix('±');
+        let bound = bound.filter(|bound| !bound.contains(['±', '=']))?;
         Some(Said::Within {
             bound: Passage::of(bound),
             open: None,

@@ -56,8 +56,9 @@ pub(crate) fn trail(text: &str) -> Option<usize> {
         return before.trim_end().ends_with(ends).then_some(1);
     }
     if let Some(before) = text.strip_suffix('!') {
-        // `3!` is a factorial. The French set a space before the mark.
-        let ends = |last: char| last.is_alphabetic() || before.ends_with(' ');
+        // `3!` is a factorial, and a power is none. The French set a space before the mark.
+        let is_apart = before.ends_with([' ', '²', '³']) || before.ends_with("^2");
+        let ends = |last: char| last.is_alphabetic() || is_apart;
         return before.trim_end().ends_with(ends).then_some(1);
     }
     let before = text.strip_suffix([';', ','])?;

@@ -73,7 +73,7 @@ impl Values<'_> {
         Some(Amount::ratio(value, unit))
     }
 
-    /// An integer and a fraction after it, `33 1/3 %`.
+    /// An integer and a fraction after it, `33 1/3 %`, `7 3/4`.
     fn mixed(&self, part: &Part) -> Option<Amount> {
         let (numbers, unit) = match &self.tokens[part.clone()] {
             [
@@ -83,10 +83,10 @@ impl Values<'_> {
                     ..
                 },
             ] => (numbers, **unit),
-            _ => return None,
+            numbers => (numbers, Unit::ONE),
         };
         // `3 1/2 m` may be a product.
-        if Ok(unit) != Unit::read("%") {
+        if !unit.is_one() && Ok(unit) != Unit::read("%") {
             return None;
         }
         let [whole, above, slash, below] = numbers else {

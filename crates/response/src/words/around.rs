@@ -45,6 +45,8 @@ pub(crate) const LEADS: &[&str] = &[
     "it tends to",
     "goes to",
     "it goes to",
+    "approaches",
+    "it approaches",
     "the ratio is",
     "ratio",
     "which is",
@@ -406,6 +408,9 @@ pub(crate) const ASIDES: &[&str] = &[
     "ca.",
     "Einheiten",
 ];
+
+/// Words with which an answer is corrected: what comes after them counts.
+pub(crate) const CORRECTIONS: &[&str] = &[" sorry, ", " correction: ", " no, ", " no: "];
 
 /// What is said before or after a response that is not meant.
 pub(crate) const WITHDRAWALS: &[&str] = &[

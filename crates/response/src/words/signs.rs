@@ -2,6 +2,8 @@
 
 /// What a word stands for that may stand last.
 pub(crate) const PERCENT: &str = "%";
+/// The sign for one in a thousand.
+pub(crate) const PER_MILLE: &str = "‰";
 
 /// The same for half of π.
 pub(crate) const HALF_PI: &str = "pi/2";
@@ -82,6 +84,7 @@ pub(crate) const WORDS: &[(&str, &str)] = &[
     ("kleiner als", "<"),
     ("mindestens", "≥"),
     ("höchstens", "≤"),
+    ("per mille", PER_MILLE),
     ("percent", PERCENT),
     ("per cent", PERCENT),
     ("pour cent", PERCENT),
