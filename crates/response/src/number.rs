@@ -50,6 +50,10 @@ impl Lexer<'_> {
                 }
                 return Ok(false);
             }
+            // Where numbers are complex, `\mathrm{j}` is no joule.
+            '\\' if self.manner.has_imaginary_unit && self.rest().starts_with("\\mathrm{j}") => {
+                return Ok(false);
+            }
             '[' | '\\' => return Ok(self.is_behind_value() && self.unit_here()),
             '1' if self.is_spaced
                 && self.is_behind_value()

@@ -107,6 +107,7 @@ pub(crate) const SYNONYMS: &[&[&str]] = &[
     &["same", "constant", "unchang"],
     &["stay", "remain", "keep"],
     &["own", "uniqu"],
+    &["theta", "angl"],
     &["quality", "q"],
     &["electromotiv", "emf"],
     &["resistanc", "resistor"],
