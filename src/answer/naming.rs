@@ -229,7 +229,7 @@ impl Naming {
     }
 
     fn is_of_another(&self, label: Passage<'_>) -> bool {
-        if self.is_of_other_complex(label) {
+        if self.is_of_other_complex(label) || self.is_root_of_asked(label) {
             return true;
         }
         // In `F0/(m2 Ω²)` no unit stands beside a name.
@@ -256,6 +256,17 @@ impl Naming {
                 customary.any(|letter| bare.has_letter(letter)) || self.is_made_of_asked(bare)
             }
         }
+    }
+
+    /// Whether a label is the letter of which a power is asked, `ω` where ω² is.
+    fn is_root_of_asked(&self, label: Passage<'_>) -> bool {
+        let typed = Label::of_passage(label);
+        let root = typed.with_omega().unwrap_or(typed);
+        let mut asked = self
+            .printed
+            .iter()
+            .filter(|(_, name)| self.asked.contains(name));
+        asked.any(|(printed, _)| printed.is_power_of(&root))
     }
 
     /// Whether a label is a part of a complex number that has the letter of what is asked and another index: `arg Z_m`,

@@ -23,6 +23,12 @@ impl Label {
         Self::of_text(passage.text())
     }
 
+    /// Whether it is a power of another one, ω² of ω.
+    pub fn is_power_of(&self, base: &Self) -> bool {
+        let exponent = self.0.strip_prefix(&base.0);
+        exponent.is_some_and(|exponent| exponent.starts_with('^'))
+    }
+
     /// The same with ω for the w that many type instead.
     pub fn with_omega(&self) -> Option<Self> {
         let behind = self.0.strip_prefix('w')?;
