@@ -12,6 +12,7 @@ use super::letters::{Letters, combining, dotted, greek, greek_word, name_of_comm
 use super::signs::MIDDLE_POINT;
 use super::spellings::{may_be_small, with_other_case};
 use super::subscript::{subscript, subscripts};
+use super::surroundings::begins;
 use super::token::{Item, Token};
 use super::vocabulary::{Ending, WordPiece, WordSense};
 use super::words::{MODULES, Powered};
@@ -212,7 +213,7 @@ impl<'a> Lexer<'a> {
             |length: usize| self.rest()[length..].starts_with(|next: char| next.is_alphabetic());
         let found = MODULES
             .iter()
-            .find(|module| self.rest().starts_with(**module) && is_word(module.len()));
+            .find(|module| begins(self.rest(), module) && is_word(module.len()));
         self.at += found.map_or(0, |module| module.len());
         // What programs call so is the natural one; alone, people mean the other as well.
         let is_program = || {
