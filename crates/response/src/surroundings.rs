@@ -93,6 +93,7 @@ pub(crate) fn behind_word<'t>(text: &'t str, word: &str) -> Option<&'t str> {
 }
 
 /// What comes after words, however they are spaced; `is_same` says when two words are, at least by their first letter.
+#[inline]
 pub(crate) fn behind_words<'t>(
     text: &'t str,
     words: &str,
@@ -129,6 +130,7 @@ pub(crate) fn begins(text: &str, word: &str) -> bool {
 }
 
 /// Whether two texts may begin with the same letter, be it a capital in one of them.
+#[inline]
 fn begin_alike(text: &str, word: &str) -> bool {
     /// By which capital and small letters of ASCII differ.
     const CASE: u8 = 0x20;
