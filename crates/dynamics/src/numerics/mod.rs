@@ -11,7 +11,7 @@
 //! - [`ExactNumber`], [`sign_of_sum`]: numbers as they were written, compared without rounding.
 //! - [`Complex`]: complex numbers.
 //! - [`agm`], [`carlson_rf`], [`JacobiFunctions`]: elliptic integrals and functions.
-//! - [`ascending`], [`sort_by`]: the order of numbers, and of anything else.
+//! - [`ascending`], [`sort_by`]: the order of numbers, and of anything else; [`SortedMap`], [`SortedSet`]: few entries in order.
 //! - `pencil`: eigenvalues of small matrices that need not be symmetric.
 //! - [`bracketed_root`], [`integral`]: a zero in an interval, the area under a curve, with their error bounds.
 //!
@@ -38,6 +38,7 @@ pub(crate) mod product;
 mod quadrature;
 mod rational;
 mod roots;
+mod sorted;
 pub(crate) mod symmetric;
 pub(crate) mod tridiagonal;
 
@@ -61,3 +62,4 @@ pub use pencil::{EigenPair, pencil};
 pub use quadrature::{Integral, IntegralError, integral};
 pub use rational::Rational;
 pub use roots::{RootError, bracketed_root};
+pub use sorted::{SortedMap, SortedSet};
