@@ -99,7 +99,8 @@ pub(crate) fn behind_words<'t>(
     words: &str,
     is_same: impl Fn(&str, &str) -> bool,
 ) -> Option<&'t str> {
-    // To part words at their spaces takes longer than to see that they begin with another letter, as most of a table do.
+    // To part words at their spaces takes longer than to see that they begin with another letter, as most of a table do:
+    // that alone is done in the loop over the table.
     if begin_alike(text, words) {
         behind_each(text, words, is_same)
     } else {
@@ -107,6 +108,7 @@ pub(crate) fn behind_words<'t>(
     }
 }
 
+#[inline(never)]
 fn behind_each<'t>(
     text: &'t str,
     words: &str,
