@@ -103,7 +103,7 @@ pub(crate) fn item(
         .map(|problem| Finding::of(problem, source))
         .collect();
     findings.append(&mut reader.findings);
-    Finding::sort(&mut findings);
+    crate::numerics::sort_by(&mut findings, Finding::order);
     let is_sound = !findings
         .iter()
         .any(|finding| finding.severity == crate::diagnostic::Severity::Error);
