@@ -88,7 +88,7 @@ pub(crate) fn replaced(graph: &Graph, mistaken: &Mistaken) -> SortedMap<Name, Ex
     let pairs = old()
         .zip(new)
         .filter_map(|(old, new)| Some((Name::new(old), marked.apply(&new).ok()?)));
-    crate::numerics::gather(pairs)
+    pairs.collect()
 }
 
 /// No name that can be written begins with this sign.

@@ -45,7 +45,7 @@ impl Balance {
     /// Sets all velocities and accelerations to zero.
     pub(crate) fn of(residuals: &[Normal], coordinates: &[Name]) -> Result<Self, SymbolicError> {
         let time = SortedSet::from([Name::new("t")]);
-        let moving: SortedSet<_> = crate::numerics::gather(coordinates.iter().cloned());
+        let moving: SortedSet<_> = coordinates.iter().cloned().collect();
         let mut balance = Self {
             restoring: Vec::new(),
             excitation: Vec::new(),
@@ -116,7 +116,7 @@ impl Balance {
 
     /// The conditions as linear equations, if that is what they are.
     fn linear_system(&self, coordinates: &[Name]) -> Option<LinearSystem> {
-        let moving: SortedSet<_> = crate::numerics::gather(coordinates.iter().cloned());
+        let moving: SortedSet<_> = coordinates.iter().cloned().collect();
         let (mut matrix, mut right) = (Vec::new(), Vec::new());
         for restoring in &self.restoring {
             let (mut row, mut rest) = (Vec::new(), restoring.clone());

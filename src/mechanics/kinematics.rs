@@ -23,8 +23,7 @@ impl Kinematics {
         };
         let mut open: Vec<&(Name, Expr)> = definition.kinematics.iter().collect();
         while !open.is_empty() {
-            let waiting: SortedSet<_> =
-                crate::numerics::gather(open.iter().map(|(name, _)| name.clone()));
+            let waiting: SortedSet<_> = open.iter().map(|(name, _)| name.clone()).collect();
             // Authors write relations in any order: each round takes those that need none of the others.
             let (ready, rest): (Vec<_>, Vec<_>) = open
                 .into_iter()

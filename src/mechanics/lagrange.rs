@@ -137,7 +137,7 @@ impl Energies {
 
     /// The left side of `d/dt ∂T/∂q' − ∂T/∂q + ∂V/∂q + ∂D/∂q' − Q = 0` for each coordinate.
     pub(crate) fn residuals(&self, sums: &Sums) -> Result<Vec<Normal>, SymbolicError> {
-        let moving: SortedSet<_> = crate::numerics::gather(self.coordinates.iter().cloned());
+        let moving: SortedSet<_> = self.coordinates.iter().cloned().collect();
         self.coordinates
             .iter()
             .zip(&self.forces)

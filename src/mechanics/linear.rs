@@ -27,7 +27,7 @@ impl Linear {
             stiffness: Vec::new(),
             excitation: Vec::new(),
         };
-        let moving: SortedSet<_> = crate::numerics::gather(coordinates.iter().cloned());
+        let moving: SortedSet<_> = coordinates.iter().cloned().collect();
         let time = SortedSet::from([Name::new("t")]);
         for residual in residuals {
             let mut rest = residual.clone();

@@ -217,7 +217,7 @@ impl Model {
 
     /// Lagrange's equation along one coordinate, as it is.
     pub(crate) fn full_equation(&self, coordinate: usize) -> Option<Equation> {
-        let moving: SortedSet<_> = crate::numerics::gather(self.coordinates().iter().cloned());
+        let moving: SortedSet<_> = self.coordinates().iter().cloned().collect();
         let (left, right) = self.residuals.get(coordinate)?.split_by(&moving);
         Some(Equation {
             left: left.to_expr(&self.order),

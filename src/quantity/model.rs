@@ -42,10 +42,11 @@ fn needed_by<'d>(
     definition: &'d Definition,
     formulas: impl Iterator<Item = &'d Expr>,
 ) -> SortedSet<Name> {
-    let own: SortedSet<&Name> = crate::numerics::gather(own_names(definition));
+    let own: SortedSet<&Name> = own_names(definition).collect();
     let names = formulas.map(Expr::names);
     let free = names.flat_map(|names| names.free.into_iter().map(|variable| variable.name));
-    crate::numerics::gather(free.filter(|name| !own.contains(name) && name.as_str() != "t"))
+    free.filter(|name| !own.contains(name) && name.as_str() != "t")
+        .collect()
 }
 
 /// The names that a definition brings along.

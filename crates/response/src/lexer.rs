@@ -16,7 +16,7 @@ use super::token::{Item, Token};
 use super::vocabulary::{Ending, WordPiece, WordSense};
 use super::words::{MODULES, Powered};
 use super::{Lexicon, Manner, Trouble, TypedError};
-use vibank_dynamics::numerics::{Rational, SortedSet, gather};
+use vibank_dynamics::numerics::{Rational, SortedSet};
 use vibank_formula::expr::{Constant, Expr, Function, Kind, Name};
 use vibank_formula::unit::Unit;
 use vibank_formula::work;
@@ -596,7 +596,7 @@ impl<'a> Lexer<'a> {
 
     /// `d/dt (m x')`; whether the operator stands here.
     fn operator(&mut self) -> bool {
-        let moving: SortedSet<Name> = gather(self.lexicon.moving_names().cloned());
+        let moving: SortedSet<Name> = self.lexicon.moving_names().cloned().collect();
         let found = operator(self.text, self.at).filter(|_| !moving.is_empty());
         let Some((order, end)) = found else {
             return false;

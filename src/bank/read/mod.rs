@@ -144,8 +144,11 @@ impl<'s> ItemReader<'s> {
         }
         self.has_figure = table.has("figure");
         if let Some(plots) = table.table("plots") {
-            self.plots =
-                crate::numerics::gather(plots.entries().iter().map(|entry| entry.key.clone()));
+            self.plots = plots
+                .entries()
+                .iter()
+                .map(|entry| entry.key.clone())
+                .collect();
         }
         quantities::data(self, table);
         quantities::read(self, table);
@@ -183,11 +186,11 @@ impl<'s> ItemReader<'s> {
             constraints,
             graph: std::mem::take(&mut self.graph),
             quantities: std::mem::take(&mut self.quantities),
-            symbols: crate::numerics::gather(
-                self.free
-                    .iter()
-                    .map(|known| (known.name.clone(), known.symbol.clone())),
-            ),
+            symbols: self
+                .free
+                .iter()
+                .map(|known| (known.name.clone(), known.symbol.clone()))
+                .collect(),
             plots,
             statement: statement?,
             solution: solution.unwrap_or_default(),

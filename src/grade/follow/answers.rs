@@ -182,7 +182,7 @@ impl Answers {
         let formulas = own
             .iter()
             .filter_map(|own| Some((own.name.clone(), own.formula.clone()?)));
-        crate::numerics::gather(formulas)
+        formulas.collect()
     }
 
     fn add_right(&mut self, solution: &Solution<'_>, node: NodeId) {

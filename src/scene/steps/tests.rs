@@ -34,8 +34,7 @@ impl<'s, 'a, 't> Reader<'s, 'a, 't> {
     fn of(scene: &'s Scene<'a, 't>, model: &crate::mechanics::Model, steps: &[Step]) -> Self {
         let notation = Symbols(scene.solution());
         let mut names = SortedSet::new();
-        let mut moving: SortedSet<Name> =
-            crate::numerics::gather(model.coordinates().iter().cloned());
+        let mut moving: SortedSet<Name> = model.coordinates().iter().cloned().collect();
         for line in steps.iter().flat_map(|step| &step.lines) {
             for side in &line.sides {
                 let formulas: Vec<&Expr> = match side {

@@ -57,7 +57,7 @@ pub(crate) use exact::ordinary_product;
 pub use exact::{diff_of_products, fast_two_sum, sum_of_products, two_prod, two_sum};
 pub use exact_number::{ExactNumber, sign_of_sum};
 pub use long::Long;
-pub use order::{ascending, gather, sort_by, sort_by_key};
+pub use order::{ascending, sort_by, sort_by_key};
 pub use pencil::{EigenPair, pencil};
 pub use quadrature::{Integral, IntegralError, integral};
 pub use rational::Rational;

@@ -273,3 +273,30 @@ impl<'a, K> IntoIterator for &'a SortedSet<K> {
         self.iter()
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use std::collections::{BTreeMap, BTreeSet};
+
+    use proptest::prelude::*;
+
+    use super::*;
+
+    proptest! {
+        /// Whatever comes in whatever order, they hold what trees hold.
+        #[test]
+        fn lists_in_order_are_as_trees(entries in proptest::collection::vec((0_u8..20, 0_u8..9), 0..40)) {
+            let (mut map, mut tree) = (SortedMap::new(), BTreeMap::new());
+            for (key, value) in &entries {
+                prop_assert_eq!(map.insert(*key, *value), tree.insert(*key, *value));
+            }
+            prop_assert_eq!(map.remove(&7), tree.remove(&7));
+            prop_assert!(map.iter().eq(&tree));
+            prop_assert!((0..20).all(|key| map.get(&key) == tree.get(&key)));
+            let set: SortedSet<u8> = entries.iter().map(|(key, _)| *key).collect();
+            let tree: BTreeSet<u8> = entries.iter().map(|(key, _)| *key).collect();
+            prop_assert!(set.iter().eq(&tree));
+            prop_assert!((0..20).all(|key| set.contains(&key) == tree.contains(&key)));
+        }
+    }
+}

@@ -38,12 +38,11 @@ impl TypedSolution {
         let names = own.iter().map(|place| &setup.constants[*place]);
         let free = (0..setup.constants.len()).filter(|place| !own.contains(place));
         let partners = free.map(|place| setup.constants[place].clone());
-        let complex: SortedMap<Name, Name> = crate::numerics::gather(
-            names
-                .filter(|name| !phases.contains(name))
-                .cloned()
-                .zip(partners),
-        );
+        let complex: SortedMap<Name, Name> = names
+            .filter(|name| !phases.contains(name))
+            .cloned()
+            .zip(partners)
+            .collect();
         let parts: Vec<Parts> = typed
             .iter()
             .map(|formula| Parts::of(formula, &complex))
@@ -68,8 +67,7 @@ impl TypedSolution {
 
     fn of(setup: &Setup, typed: &[Expr]) -> Option<Self> {
         let coordinates = setup.coordinates.iter().cloned();
-        let replaced: SortedMap<Name, Expr> =
-            crate::numerics::gather(coordinates.zip(typed.iter().cloned()));
+        let replaced: SortedMap<Name, Expr> = coordinates.zip(typed.iter().cloned()).collect();
         let none = SortedMap::new();
         let mut rounding = 0.0_f64;
         for expr in typed {

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use super::derivative::resolve_diff;
 use super::{SymbolicError, bounded, time_derivative};
 use crate::expr::{Expr, Kind, Name, Path};
-use vibank_dynamics::numerics::{SortedMap, SortedSet, gather};
+use vibank_dynamics::numerics::{SortedMap, SortedSet};
 
 /// Formulas to be substituted for names, all at once.
 ///
@@ -54,7 +54,7 @@ impl Substitution {
     /// Nothing to be substituted yet, where these names move with time.
     pub fn moving(names: impl IntoIterator<Item = Name>) -> Self {
         Self {
-            moving: gather(names),
+            moving: names.into_iter().collect(),
             ..Self::default()
         }
     }
@@ -142,9 +142,11 @@ impl Substitution {
         let names = self.names.iter().filter(|(name, _)| !bound.contains(name));
         let moving = self.moving.iter().filter(|name| !bound.contains(name));
         let inner = Self {
-            names: gather(names.map(|(name, value)| (name.clone(), Arc::clone(value)))),
+            names: names
+                .map(|(name, value)| (name.clone(), Arc::clone(value)))
+                .collect(),
             paths: self.paths.clone(),
-            moving: gather(moving.cloned()),
+            moving: moving.cloned().collect(),
         };
         let caught = {
             let mut values = inner.names.values().chain(inner.paths.values());

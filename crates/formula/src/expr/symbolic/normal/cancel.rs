@@ -64,7 +64,7 @@ fn denominators(polynomial: &Polynomial) -> SortedSet<Inner> {
             Atom::Base(base) if base.as_number().is_none() => Some(base.clone()),
             _ => None,
         });
-    vibank_dynamics::numerics::gather(bases)
+    bases.collect()
 }
 
 /// The form in which equal functions are the same: denominators cleared, angles taken apart, sin²

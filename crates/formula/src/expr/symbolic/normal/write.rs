@@ -38,7 +38,7 @@ impl Order {
     /// In products, these names come in this order, before all others.
     #[must_use]
     pub fn ranked(mut self, names: impl IntoIterator<Item = Name>) -> Self {
-        self.ranks = vibank_dynamics::numerics::gather(names.into_iter().zip(0..));
+        self.ranks = names.into_iter().zip(0..).collect();
         self
     }
 
@@ -56,7 +56,7 @@ impl Order {
 
     fn moving_names(&self) -> SortedSet<Name> {
         let time = Name::new("t");
-        vibank_dynamics::numerics::gather(self.moving.iter().cloned().chain([time]))
+        self.moving.iter().cloned().chain([time]).collect()
     }
 }
 
@@ -499,10 +499,9 @@ fn unsigned(own: &Polynomial, written: Expr, writer: &NormalWriter<'_>) -> Expr 
         let terms = terms
             .into_iter()
             .map(|(monomial, own)| (monomial.clone(), own.abs()));
-        collected_sum(
-            &Polynomial(vibank_dynamics::numerics::gather(terms)),
-            writer,
-        )
+        let mut part = Polynomial::default();
+        part.0.extend(terms);
+        collected_sum(&part, writer)
     };
     let negative = terms_of(&part(negative));
     let first = part(positive);
