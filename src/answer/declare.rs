@@ -1,6 +1,5 @@
 //! What a kind asks of the item that is being read, and gets of an instance.
 
-use std::collections::BTreeMap;
 use std::rc::Rc;
 use std::sync::Arc;
 
@@ -8,6 +7,7 @@ use crate::diagnostic::Diagnose;
 use crate::document::Document;
 use crate::expr::{Equation, Expr, Name, Type, Value};
 use crate::math::Math;
+use crate::numerics::SortedMap;
 use crate::quantity::{Evaluation, Graph, NodeId};
 use crate::source::Text;
 use crate::unit::{DecimalMark, Unit};
@@ -114,7 +114,7 @@ pub struct Context<'t> {
     /// The named mistakes that apply.
     pub mistakes: Vec<Mistaken>,
     /// Formulas that stand in for quantities of a symbolic key: what was answered to earlier parts.
-    pub standing: BTreeMap<Name, Expr>,
+    pub standing: SortedMap<Name, Expr>,
     /// The order in which the options of a choice are printed, as places in the file.
     pub order: Vec<usize>,
     /// The decimal sign of the sheet.

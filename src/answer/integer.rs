@@ -36,8 +36,8 @@ struct Integer {
 struct Symbols {
     lexicon: Lexicon,
     names: Vec<(Name, NodeId)>,
-    /// The words of the question.
-    asked: Wording,
+    /// The words of the question, and of what is counted.
+    known: Wording,
     /// The letters that steps before a count may be written in.
     steps: Steps,
 }
@@ -74,13 +74,14 @@ pub(crate) fn read(
         );
         return None;
     }
-    let asked = part.text("ask").map(|ask| Wording::of_question(&ask.value));
-    let symbols = Arc::new(Symbols::of(declare, key, asked.unwrap_or_default()));
+    let asked = part.text("ask");
+    let known = Wording::of_count(asked.as_ref().map(|ask| &*ask.value));
+    let symbols = Arc::new(Symbols::of(declare, key, known));
     Some(Box::new(Integer { key, symbols }))
 }
 
 impl Symbols {
-    fn of(declare: &dyn Declare, key: NodeId, asked: Wording) -> Self {
+    fn of(declare: &dyn Declare, key: NodeId, known: Wording) -> Self {
         let (mut lexicon, mut names) = (Lexicon::new(), Vec::new());
         for own in declare.known() {
             let is_pure = own.kind.dimension().is_some_and(|own| own.is_pure());
@@ -95,7 +96,7 @@ impl Symbols {
         Self {
             lexicon,
             names,
-            asked,
+            known,
             steps: Steps::of(declare, key),
         }
     }
@@ -176,7 +177,7 @@ impl Marker for Whole {
     }
 
     fn echo(&self, response: Passage<'_>) -> Result<Echo, Unreadable> {
-        let digits = response.in_digits(&self.symbols.asked);
+        let digits = response.in_digits(&self.symbols.known);
         let response = digits.as_ref().map_or(response, Reworded::passage);
         let read = self.readings(response);
         let is_count = |read: &(Quantity, _)| read.0.unit.is_one();
@@ -196,7 +197,7 @@ impl Marker for Whole {
     }
 
     fn mark(&self, response: Passage<'_>) -> Marking {
-        let digits = response.in_digits(&self.symbols.asked);
+        let digits = response.in_digits(&self.symbols.known);
         let response = digits.as_ref().map_or(response, Reworded::passage);
         // Elsewhere that is no answer.
         if self.key == 0.0 && response.words().is("none") {

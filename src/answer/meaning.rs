@@ -1,6 +1,5 @@
 //! What the names of an answer stand for: data, free symbols, and formulas in these.
 
-use std::collections::BTreeMap;
 use std::sync::{Arc, OnceLock};
 
 use super::equality::Condition;
@@ -9,13 +8,14 @@ use crate::expr::{
     Binder, Binding, CompileError, Expr, Form, Name, Precise, Program, Scope, Substitution, Type,
     Variable,
 };
+use crate::numerics::SortedMap;
 use crate::quantity::{Evaluation, NodeId};
 
 /// The names of an item as the answers of a part use them, down to what varies freely.
 #[derive(Debug)]
 pub(crate) struct Meaning {
     pub(crate) inputs: Vec<Input>,
-    formulas: BTreeMap<Name, (Expr, Type)>,
+    formulas: SortedMap<Name, (Expr, Type)>,
     /// What the data of the item have to meet.
     constraints: Vec<Expr>,
     /// The same over the inputs, once it was compiled.
@@ -63,7 +63,7 @@ impl Meaning {
         let known = declare.known();
         let mut meaning = Self {
             inputs: Vec::new(),
-            formulas: BTreeMap::new(),
+            formulas: SortedMap::new(),
             constraints: declare.constraints(),
             conditions: OnceLock::new(),
         };
@@ -178,13 +178,13 @@ impl Meaning {
     pub(crate) fn compile(
         &self,
         expr: &Expr,
-        replaced: &BTreeMap<Name, Expr>,
+        replaced: &SortedMap<Name, Expr>,
     ) -> Result<Program, CompileError> {
         Program::compile(expr, &self.bound(replaced))
     }
 
     /// The names with these in place of some, as a program binds them.
-    pub(crate) fn bound<'a>(&'a self, replaced: &'a BTreeMap<Name, Expr>) -> impl Binder + 'a {
+    pub(crate) fn bound<'a>(&'a self, replaced: &'a SortedMap<Name, Expr>) -> impl Binder + 'a {
         Bound {
             meaning: self,
             replaced,
@@ -196,7 +196,7 @@ impl Meaning {
     pub(crate) fn compile_complex(
         &self,
         expr: &Expr,
-        replaced: &BTreeMap<Name, Expr>,
+        replaced: &SortedMap<Name, Expr>,
     ) -> Result<Program, CompileError> {
         let bound = Bound {
             meaning: self,
@@ -207,7 +207,7 @@ impl Meaning {
     }
 
     /// Whether a formula keeps its meaning at complex values of its names, with those that are substituted for them.
-    pub(crate) fn is_analytic(&self, expr: &Expr, replaced: &BTreeMap<Name, Expr>) -> bool {
+    pub(crate) fn is_analytic(&self, expr: &Expr, replaced: &SortedMap<Name, Expr>) -> bool {
         // To give up is safe: the formula is then compared at real points alone.
         const MAX_NAMES: usize = 200;
         let mut open = vec![expr.clone()];
@@ -304,7 +304,7 @@ fn is_free(role: Role) -> bool {
 
 struct Bound<'a> {
     meaning: &'a Meaning,
-    replaced: &'a BTreeMap<Name, Expr>,
+    replaced: &'a SortedMap<Name, Expr>,
     /// Of the inputs.
     form: Form,
 }

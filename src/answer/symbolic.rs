@@ -1,10 +1,10 @@
 //! What kinds with symbolic keys share: the formula of a node, its entries, and a mistake's formulas.
 
-use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use super::{Key, Mistaken};
 use crate::expr::{Expr, Kind, Name, Shape, Substitution};
+use crate::numerics::SortedMap;
 use crate::quantity::{Graph, NodeId};
 use crate::response::Lexicon;
 
@@ -76,7 +76,7 @@ fn written_entries(expr: &Expr, shape: Shape) -> Option<Vec<Expr>> {
 
 /// What a mistake puts in for names of the key. What is substituted speaks of the names as they were, so it has them
 /// marked as [`original`].
-pub(crate) fn replaced(graph: &Graph, mistaken: &Mistaken) -> BTreeMap<Name, Expr> {
+pub(crate) fn replaced(graph: &Graph, mistaken: &Mistaken) -> SortedMap<Name, Expr> {
     let old = || mistaken.replaced.iter().map(|(old, _)| graph.label(*old));
     let marked = old().fold(Substitution::new(), |put, name| {
         put.with(name, Expr::name(format!("{ORIGINAL}{name}").as_str()))
@@ -88,7 +88,7 @@ pub(crate) fn replaced(graph: &Graph, mistaken: &Mistaken) -> BTreeMap<Name, Exp
     let pairs = old()
         .zip(new)
         .filter_map(|(old, new)| Some((Name::new(old), marked.apply(&new).ok()?)));
-    crate::numerics::gather(pairs)
+    pairs.collect()
 }
 
 /// No name that can be written begins with this sign.

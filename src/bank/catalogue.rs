@@ -312,6 +312,12 @@ impl Catalogue {
         wanted.filter_map(|entry| self.reading(entry).template.as_ref())
     }
 
+    /// The revision of an item, which is not read for it.
+    pub fn revision(&self, id: &str) -> Option<Revision> {
+        let entry = &self.entries[*self.by_id.get(id)?];
+        Some(entry.revision())
+    }
+
     /// Whether the bank has an item of this identity; where [`find`](Self::find) has none, its file has findings.
     pub fn has(&self, id: &str) -> bool {
         self.by_id.contains_key(id)

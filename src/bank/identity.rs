@@ -37,6 +37,11 @@ impl ItemId {
         (is_word(chapter) && is_word(slug)).then(|| Self(stem.into()))
     }
 
+    /// The identity of this text.
+    fn of_text(text: &str) -> Option<Self> {
+        Self::of_path(&format!("{text}.toml"))
+    }
+
     /// The folder.
     pub fn chapter(&self) -> &str {
         self.0.split_once('/').map_or("", |(chapter, _)| chapter)
@@ -112,7 +117,7 @@ impl TryFrom<String> for ItemId {
     type Error = String;
 
     fn try_from(text: String) -> Result<Self, String> {
-        Self::of_path(&format!("{text}.toml")).ok_or_else(|| {
+        Self::of_text(&text).ok_or_else(|| {
             format!(
                 "`{}` is not an item, expected `chapter/name`",
                 text.escape_debug()
@@ -129,7 +134,8 @@ impl From<Revision> for String {
 
 impl FromJson for ItemId {
     fn from_json(json: Json) -> Result<Self, Misfit> {
-        Self::try_from(String::from_json(json)?).map_err(|_| Misfit::Expected("`chapter/name`"))
+        let text = String::from_json(json)?;
+        Self::of_text(&text).ok_or(Misfit::Expected("`chapter/name`"))
     }
 }
 

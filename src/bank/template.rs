@@ -1,6 +1,5 @@
 //! A template: an item as it was read, from which instances are drawn.
 
-use std::collections::BTreeMap;
 use std::sync::{Arc, OnceLock};
 
 use super::plot::Plot;
@@ -14,7 +13,7 @@ use crate::document::Document;
 use crate::expr::{Expr, Kind as Node, Name, Precise};
 use crate::figure::Figure;
 use crate::math::Math;
-use crate::numerics::Rational;
+use crate::numerics::{Rational, SortedMap};
 use crate::quantity::{Datum, Graph, Method, NodeId};
 use crate::source::Source;
 #[cfg(feature = "render")]
@@ -39,9 +38,9 @@ pub struct Template {
     /// Everything in it that has a value.
     pub graph: Graph,
     /// What is known of named nodes beyond their value.
-    pub quantities: BTreeMap<NodeId, QuantityInfo>,
+    pub quantities: SortedMap<NodeId, QuantityInfo>,
     /// Symbols of coordinates and other free names, where the item states them.
-    pub symbols: BTreeMap<Name, Arc<Math>>,
+    pub symbols: SortedMap<Name, Arc<Math>>,
     /// Plots, by name.
     pub plots: Vec<Plot>,
     /// What is given.

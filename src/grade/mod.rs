@@ -254,4 +254,10 @@ impl Grade {
         let own = self.parts.iter().find(|(own, _)| *own == place);
         own.map(|(_, marking)| marking)
     }
+
+    /// The same, taken out.
+    pub fn take(&mut self, place: usize) -> Option<Marking> {
+        let own = self.parts.iter().position(|(own, _)| *own == place)?;
+        Some(self.parts.remove(own).1)
+    }
 }

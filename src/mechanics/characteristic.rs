@@ -1,10 +1,9 @@
 //! The equation of the natural frequencies.
 
-use std::collections::BTreeSet;
-
 use super::Model;
 use super::linear::Matrix;
 use crate::expr::{Equation, Expr, Name, Normal};
+use crate::numerics::SortedSet;
 
 /// `det(K − ω² M) = 0`, or `det(M s² + C s + K) = 0` with damping, with the factors common to all
 /// terms divided out. The unknown is `omega` (`s`), or another letter where the model uses that one.
@@ -34,7 +33,7 @@ pub(crate) fn equation(model: &Model) -> Option<Equation> {
     let size = model.degrees_of_freedom();
     let rows = (0..size).map(|row| (0..size).map(|column| entry(row, column)).collect());
     let matrix: Matrix = rows.collect::<Result<_, _>>().ok()?;
-    let kept = BTreeSet::from([unknown.clone()]);
+    let kept = SortedSet::from([unknown.clone()]);
     let (_, reduced) = determinant(&matrix)?.without_common_factor(&kept).ok()?;
     let leads_with_sign = size % 2 == 1 && is_undamped;
     let reduced = if leads_with_sign {

@@ -1,8 +1,7 @@
 //! What an author writes about a system.
 
-use std::collections::BTreeMap;
-
 use crate::expr::{Expr, Function, Name};
+use crate::numerics::SortedMap;
 use crate::source::Span;
 use crate::unit::Dimension;
 
@@ -46,7 +45,7 @@ pub struct Definition {
     pub bodies: Vec<Body>,
     /// The dimensions of the names that are constants, as far as they are known. They order products as
     /// textbooks do: what has mass first, then accelerations, lengths, times, numbers.
-    pub dimensions: BTreeMap<Name, Dimension>,
+    pub dimensions: SortedMap<Name, Dimension>,
 }
 
 /// A generalized coordinate.
@@ -145,7 +144,7 @@ impl Default for Definition {
             initial: Vec::new(),
             equilibrium: Vec::new(),
             bodies: Vec::new(),
-            dimensions: BTreeMap::new(),
+            dimensions: SortedMap::new(),
         }
     }
 }

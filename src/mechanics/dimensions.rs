@@ -1,10 +1,9 @@
 //! Dimensions of what an author writes: energies are energies, term by term.
 
-use std::collections::BTreeMap;
-
 use super::definition::Definition;
 use super::error::{DefinitionKey, ModelError};
 use crate::expr::{AnyDimension, Expr, Kind, Name, Operator, Scope, Type};
+use crate::numerics::SortedMap;
 use crate::unit::Dimension;
 
 /// The kinematic formulas may use each other in any order; more passes than this settle no more of them.
@@ -14,7 +13,7 @@ const MAX_PASSES: usize = 16;
 pub(crate) fn check(definition: &Definition) -> Vec<ModelError> {
     let mut checker = DefinitionChecker {
         definition,
-        kinematics: BTreeMap::new(),
+        kinematics: SortedMap::new(),
         errors: Vec::new(),
     };
     checker.settle_kinematics();
@@ -25,7 +24,7 @@ pub(crate) fn check(definition: &Definition) -> Vec<ModelError> {
 struct DefinitionChecker<'a> {
     definition: &'a Definition,
     /// What the kinematic names are, as far as it is known by now.
-    kinematics: BTreeMap<Name, Type>,
+    kinematics: SortedMap<Name, Type>,
     errors: Vec<ModelError>,
 }
 

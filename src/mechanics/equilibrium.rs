@@ -1,12 +1,11 @@
 //! Equilibria, as formulas.
 
-use std::collections::BTreeSet;
-
 use super::definition::Definition;
 use super::error::{DefinitionKey, ModelError};
 use super::kinematics::Kinematics;
 use super::lagrange::position;
 use crate::expr::{Expr, Kind, Name, Normal, Order, Substitution, SymbolicError, Variable};
+use crate::numerics::SortedSet;
 
 /// What is known of the equilibrium before any number is.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -45,8 +44,8 @@ pub(crate) struct Balance {
 impl Balance {
     /// Sets all velocities and accelerations to zero.
     pub(crate) fn of(residuals: &[Normal], coordinates: &[Name]) -> Result<Self, SymbolicError> {
-        let time = BTreeSet::from([Name::new("t")]);
-        let moving: BTreeSet<_> = crate::numerics::gather(coordinates.iter().cloned());
+        let time = SortedSet::from([Name::new("t")]);
+        let moving: SortedSet<_> = coordinates.iter().cloned().collect();
         let mut balance = Self {
             restoring: Vec::new(),
             excitation: Vec::new(),
@@ -117,7 +116,7 @@ impl Balance {
 
     /// The conditions as linear equations, if that is what they are.
     fn linear_system(&self, coordinates: &[Name]) -> Option<LinearSystem> {
-        let moving: BTreeSet<_> = crate::numerics::gather(coordinates.iter().cloned());
+        let moving: SortedSet<_> = coordinates.iter().cloned().collect();
         let (mut matrix, mut right) = (Vec::new(), Vec::new());
         for restoring in &self.restoring {
             let (mut row, mut rest) = (Vec::new(), restoring.clone());
@@ -150,14 +149,14 @@ fn stated(definition: &Definition, kinematics: &Kinematics) -> Result<Vec<Expr>,
 }
 
 /// The sum with all derivatives of these names set to zero.
-pub(crate) fn at_rest(sum: &Normal, moving: &BTreeSet<Name>) -> Result<Normal, SymbolicError> {
+pub(crate) fn at_rest(sum: &Normal, moving: &SortedSet<Name>) -> Result<Normal, SymbolicError> {
     match sum.where_zero(&|own| own.order > 0 && moving.contains(&own.name)) {
         Some(at_rest) => Ok(at_rest),
         None => Normal::of(&without_rates(&sum.to_expr(&Order::new()), moving)?),
     }
 }
 
-fn without_rates(expr: &Expr, moving: &BTreeSet<Name>) -> Result<Expr, SymbolicError> {
+fn without_rates(expr: &Expr, moving: &SortedSet<Name>) -> Result<Expr, SymbolicError> {
     match expr.kind() {
         Kind::Prime(inner, _) => match inner.kind() {
             Kind::Name(name) if moving.contains(name) => Ok(Expr::number(0)),

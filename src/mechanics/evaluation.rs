@@ -1,6 +1,5 @@
 //! The formulas of a model that are evaluated, each compiled when it is first asked for.
 
-use std::collections::BTreeSet;
 use std::sync::OnceLock;
 
 use super::Unavailable;
@@ -14,6 +13,7 @@ use super::squares::squares;
 use crate::expr::{
     Constant, Expr, Function, Name, Normal, Order, Substitution, SymbolicError, Variable,
 };
+use crate::numerics::SortedSet;
 
 /// What a model evaluates.
 #[derive(Clone, Debug)]
@@ -202,7 +202,7 @@ fn slots(given: &ModelGiven<'_>) -> Slots {
         equilibrium,
         ..
     } = given;
-    let mut names = BTreeSet::new();
+    let mut names = SortedSet::new();
     let mut collect = |formula: &Expr| {
         names.extend(formula.names().free.into_iter().map(|own| own.name));
     };

@@ -1,16 +1,15 @@
 //! Everything that moves expressed in the coordinates.
 
-use std::collections::BTreeSet;
-
 use super::definition::Definition;
 use super::error::{DefinitionKey, ModelError};
 use crate::expr::{Expr, Kind, Name, Substitution};
+use crate::numerics::SortedSet;
 
 /// Kinematic names and what stands for them in terms of coordinates and time.
 pub(crate) struct Kinematics {
     substitution: Substitution,
     /// Coordinates and kinematic names.
-    moving: BTreeSet<Name>,
+    moving: SortedSet<Name>,
 }
 
 impl Kinematics {
@@ -24,8 +23,7 @@ impl Kinematics {
         };
         let mut open: Vec<&(Name, Expr)> = definition.kinematics.iter().collect();
         while !open.is_empty() {
-            let waiting: BTreeSet<_> =
-                crate::numerics::gather(open.iter().map(|(name, _)| name.clone()));
+            let waiting: SortedSet<_> = open.iter().map(|(name, _)| name.clone()).collect();
             // Authors write relations in any order: each round takes those that need none of the others.
             let (ready, rest): (Vec<_>, Vec<_>) = open
                 .into_iter()
@@ -71,7 +69,7 @@ impl Kinematics {
     }
 }
 
-fn distinct_names(definition: &Definition) -> Result<BTreeSet<Name>, ModelError> {
+fn distinct_names(definition: &Definition) -> Result<SortedSet<Name>, ModelError> {
     let coordinates = definition
         .coordinates
         .iter()
@@ -80,7 +78,7 @@ fn distinct_names(definition: &Definition) -> Result<BTreeSet<Name>, ModelError>
         .kinematics
         .iter()
         .map(|(name, formula)| (name, formula.span()));
-    let mut names = BTreeSet::new();
+    let mut names = SortedSet::new();
     for (name, span) in coordinates.chain(kinematics) {
         if !names.insert(name.clone()) {
             return Err(ModelError::Duplicate {
@@ -92,7 +90,7 @@ fn distinct_names(definition: &Definition) -> Result<BTreeSet<Name>, ModelError>
     Ok(names)
 }
 
-fn mentions_any(formula: &Expr, names: &BTreeSet<Name>) -> bool {
+fn mentions_any(formula: &Expr, names: &SortedSet<Name>) -> bool {
     let mut found = false;
     formula.walk(&mut |node| {
         found |= matches!(node.kind(), Kind::Name(name) if names.contains(name));

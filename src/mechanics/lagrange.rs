@@ -1,11 +1,10 @@
 //! Lagrange's equations.
 
-use std::collections::BTreeSet;
-
 use super::definition::Definition;
 use super::error::{DefinitionKey, ModelError};
 use super::kinematics::Kinematics;
 use crate::expr::{Expr, Kind, Name, Normal, SymbolicError, Variable};
+use crate::numerics::SortedSet;
 
 /// Energies, dissipation and forces in terms of coordinates, velocities and time.
 #[derive(Clone, Debug)]
@@ -138,7 +137,7 @@ impl Energies {
 
     /// The left side of `d/dt ∂T/∂q' − ∂T/∂q + ∂V/∂q + ∂D/∂q' − Q = 0` for each coordinate.
     pub(crate) fn residuals(&self, sums: &Sums) -> Result<Vec<Normal>, SymbolicError> {
-        let moving: BTreeSet<_> = crate::numerics::gather(self.coordinates.iter().cloned());
+        let moving: SortedSet<_> = self.coordinates.iter().cloned().collect();
         self.coordinates
             .iter()
             .zip(&self.forces)

@@ -1,9 +1,8 @@
 //! The linearized equations as formulas.
 
-use std::collections::BTreeSet;
-
 use super::equilibrium::{Balance, at_rest};
 use crate::expr::{Expr, Name, Normal, Order, Substitution, SymbolicError, Variable};
+use crate::numerics::SortedSet;
 
 /// `M q'' + C q' + K q = f(t)` about an equilibrium, as formulas.
 #[derive(Clone, Debug)]
@@ -28,8 +27,8 @@ impl Linear {
             stiffness: Vec::new(),
             excitation: Vec::new(),
         };
-        let moving: BTreeSet<_> = crate::numerics::gather(coordinates.iter().cloned());
-        let time = BTreeSet::from([Name::new("t")]);
+        let moving: SortedSet<_> = coordinates.iter().cloned().collect();
+        let time = SortedSet::from([Name::new("t")]);
         for residual in residuals {
             let mut rest = residual.clone();
             let matrices = [&mut linear.mass, &mut linear.damping, &mut linear.stiffness];
@@ -119,7 +118,7 @@ impl Linear {
 
 /// An equilibrium, ready to be put into derivatives.
 struct RestPoint {
-    moving: BTreeSet<Name>,
+    moving: SortedSet<Name>,
     position: Substitution,
 }
 

@@ -1,7 +1,5 @@
 //! A model: what follows from the energies.
 
-use std::collections::BTreeSet;
-
 use super::definition::{Body, Definition, Friction, Initial};
 use super::energy::written;
 use super::equilibrium::{Balance, Equilibrium};
@@ -16,6 +14,7 @@ use super::quantity::{Quantity, QuantityError};
 use super::steps::{self, Letters, NewtonError, Step, Way};
 use super::{Unavailable, dimensions, formulas};
 use crate::expr::{Equation, Expr, Name, Normal, Order, Variable};
+use crate::numerics::SortedSet;
 use crate::unit::Dimension;
 
 /// Most coordinates of a model.
@@ -218,7 +217,7 @@ impl Model {
 
     /// Lagrange's equation along one coordinate, as it is.
     pub(crate) fn full_equation(&self, coordinate: usize) -> Option<Equation> {
-        let moving: BTreeSet<_> = crate::numerics::gather(self.coordinates().iter().cloned());
+        let moving: SortedSet<_> = self.coordinates().iter().cloned().collect();
         let (left, right) = self.residuals.get(coordinate)?.split_by(&moving);
         Some(Equation {
             left: left.to_expr(&self.order),

@@ -1,9 +1,8 @@
 //! The order in which formulas of a model are written.
 
-use std::collections::BTreeSet;
-
 use super::definition::Definition;
 use crate::expr::{Kind, Name, Order};
+use crate::numerics::SortedSet;
 use crate::unit::Dimension;
 
 /// Coordinates move; constants come as textbooks print them: `m g l`, `k l²`, `m U Ω²`.
@@ -52,7 +51,7 @@ fn names_by_appearance(definition: &Definition) -> Vec<Name> {
         &definition.dissipation,
     ];
     let named = definition.forces.iter().chain(&definition.kinematics);
-    let (mut names, mut known) = (Vec::new(), BTreeSet::new());
+    let (mut names, mut known) = (Vec::new(), SortedSet::new());
     for formula in energies
         .into_iter()
         .chain(named.map(|(_, formula)| formula))

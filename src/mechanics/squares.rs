@@ -3,10 +3,8 @@
 //! Frequencies that are small beside others keep their digits only if the solver sees each spring and
 //! not the sums in the stiffness matrix.
 
-use std::collections::BTreeSet;
-
 use crate::expr::{Expr, Kind, Name, Normal, Operator, Variable, differentiate};
-use crate::numerics::Rational;
+use crate::numerics::{Rational, SortedSet};
 
 /// A term `factor * base²` with a base linear in the coordinates.
 #[derive(Clone, Debug)]
@@ -27,7 +25,7 @@ pub(crate) fn squares(energy: &Expr, coordinates: &[Name]) -> Option<Vec<Square>
 
 struct Finder<'a> {
     coordinates: &'a [Name],
-    names: BTreeSet<Name>,
+    names: SortedSet<Name>,
 }
 
 impl Finder<'_> {

@@ -1,7 +1,6 @@
 //! Values on demand: what is asked for and what that depends on, each computed once.
 
 use std::cell::{Cell, OnceCell, RefCell};
-use std::collections::BTreeMap;
 use std::rc::Rc;
 use std::sync::Arc;
 
@@ -9,7 +8,7 @@ use crate::expr::{
     Absence, Approx, Name, Path, Precise, Program, Scalar, Undefined, Value, Workspace,
 };
 use crate::mechanics::{Model, Motion, Numbers, TurningPoints, Unavailable};
-use crate::numerics::Dd;
+use crate::numerics::{Dd, SortedMap};
 use crate::work;
 
 use super::given::SlotValues;
@@ -75,8 +74,8 @@ pub struct Evaluation<'g> {
     /// Whether a value is being computed: those that it needs share its budget.
     is_computing: Cell<bool>,
     /// The models with numbers, and their motions, prepared when first asked for.
-    systems: RefCell<BTreeMap<NodeId, Rc<Numbers>>>,
-    motions: RefCell<BTreeMap<NodeId, Result<Rc<Motion>, Absent>>>,
+    systems: RefCell<SortedMap<NodeId, Rc<Numbers>>>,
+    motions: RefCell<SortedMap<NodeId, Result<Rc<Motion>, Absent>>>,
 }
 
 /// A quantity as a function of its free names, its other inputs at hand.

@@ -1,6 +1,5 @@
 //! The names of an item, what each stands for, and in which order they can be computed.
 
-use std::collections::{BTreeMap, BTreeSet};
 use std::sync::{Arc, OnceLock};
 
 use super::error::GraphError;
@@ -12,6 +11,7 @@ use crate::expr::{CompileError, Expr, Kind, Name, Path, Program, Type};
 use crate::mechanics::{
     Definition, Model, Quantity, QuantityError, QuantityType, Step, Unavailable, Way,
 };
+use crate::numerics::{SortedMap, SortedSet};
 use crate::unit::Dimension;
 
 /// A thing of an item that has a value.
@@ -22,11 +22,11 @@ pub struct NodeId(u32);
 #[derive(Debug, Default)]
 pub struct Graph {
     pub(crate) nodes: Vec<GraphNode>,
-    pub(crate) names: BTreeMap<Name, NameEntry>,
+    pub(crate) names: SortedMap<Name, NameEntry>,
     /// The models by their beginning in paths, `model` or `models.relative`.
-    pub(crate) models: BTreeMap<Box<str>, NodeId>,
+    pub(crate) models: SortedMap<Box<str>, NodeId>,
     /// The quantities of models that formulas ask for.
-    pub(crate) paths: BTreeMap<Path, NodeId>,
+    pub(crate) paths: SortedMap<Path, NodeId>,
 }
 
 /// What a name stands for.
@@ -51,7 +51,7 @@ pub(crate) struct GraphNode {
     /// What it takes, once it is settled.
     pub(crate) uses: Option<Uses>,
     /// All names on which it depends, through others too, and its own.
-    pub(crate) reach: OnceLock<BTreeSet<Name>>,
+    pub(crate) reach: OnceLock<SortedSet<Name>>,
     /// Whether its translation cannot fail, and waits until its value is asked for.
     pub(crate) is_plain: bool,
     pub(crate) computation: OnceLock<Option<Computation>>,
@@ -348,10 +348,10 @@ impl Graph {
     }
 
     /// All names on which a node depends, through others too, and its own.
-    pub(crate) fn reach(&self, id: NodeId) -> &BTreeSet<Name> {
+    pub(crate) fn reach(&self, id: NodeId) -> &SortedSet<Name> {
         self.node(id).reach.get_or_init(|| {
-            let (mut open, mut seen) = (vec![id], BTreeSet::from([id]));
-            let mut reach = BTreeSet::new();
+            let (mut open, mut seen) = (vec![id], SortedSet::from([id]));
+            let mut reach = SortedSet::new();
             while let Some(id) = open.pop() {
                 let node = self.node(id);
                 if matches!(node.role, NodeRole::Parameter(_) | NodeRole::Quantity(_)) {

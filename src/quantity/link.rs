@@ -1,18 +1,18 @@
 //! In which order nodes are settled, and how the names of a formula get their slots.
 
 use std::cell::RefCell;
-use std::collections::BTreeMap;
 
 use super::error::GraphError;
 use super::graph::{Graph, NameEntry, NodeId, NodeRole};
 use crate::expr::{Binder, Binding, Form, Name, Path, Scope, Type, Variable};
 use crate::mechanics::QuantityType;
+use crate::numerics::SortedMap;
 
 /// Sorts nodes so that each comes after those that it needs.
 pub(crate) struct NodeOrder<'g> {
     graph: &'g Graph,
     /// The nodes that have their place, each with the length of the longest chain that ends with it.
-    done: BTreeMap<NodeId, usize>,
+    done: SortedMap<NodeId, usize>,
     open: Vec<NodeId>,
     sorted: Vec<NodeId>,
     errors: Vec<(NodeId, GraphError)>,
@@ -25,7 +25,7 @@ impl<'g> NodeOrder<'g> {
     pub(crate) fn of(graph: &'g Graph) -> Self {
         Self {
             graph,
-            done: BTreeMap::new(),
+            done: SortedMap::new(),
             open: Vec::new(),
             sorted: Vec::new(),
             errors: Vec::new(),

@@ -1,12 +1,12 @@
 //! Mechanical systems among the quantities: what they need, and what they offer.
 
-use std::collections::BTreeSet;
 use std::sync::Arc;
 
 use super::error::GraphError;
 use super::graph::{Graph, GraphNode, NodeId, NodeRole};
 use crate::expr::{CheckError, Expr, Kind, Name, Names, Path, Substitution, Type};
 use crate::mechanics::{Definition, Model, Quantity, QuantityType};
+use crate::numerics::SortedSet;
 use crate::source::nearest;
 
 /// A system as it is written, and once its names are settled, as it was derived.
@@ -28,24 +28,25 @@ pub(crate) struct Offered {
 
 impl DeclaredSystem {
     /// The names that it takes from the item.
-    pub(crate) fn needs(&self) -> BTreeSet<Name> {
+    pub(crate) fn needs(&self) -> SortedSet<Name> {
         needs(&self.definition)
     }
 }
 
 /// The names that a definition takes from the item.
-fn needs(definition: &Definition) -> BTreeSet<Name> {
+fn needs(definition: &Definition) -> SortedSet<Name> {
     needed_by(definition, formulas(definition))
 }
 
 fn needed_by<'d>(
     definition: &'d Definition,
     formulas: impl Iterator<Item = &'d Expr>,
-) -> BTreeSet<Name> {
-    let own: BTreeSet<&Name> = crate::numerics::gather(own_names(definition));
+) -> SortedSet<Name> {
+    let own: SortedSet<&Name> = own_names(definition).collect();
     let names = formulas.map(Expr::names);
     let free = names.flat_map(|names| names.free.into_iter().map(|variable| variable.name));
-    crate::numerics::gather(free.filter(|name| !own.contains(name) && name.as_str() != "t"))
+    free.filter(|name| !own.contains(name) && name.as_str() != "t")
+        .collect()
 }
 
 /// The names that a definition brings along.
@@ -128,18 +129,20 @@ pub(crate) fn derive(graph: &mut Graph, id: NodeId) -> Vec<GraphError> {
     let Some(system) = graph.system(id) else {
         return Vec::new();
     };
-    let needed = system.needs();
     // The equations do not need what the bodies take from the item.
-    let for_bodies = needed_by(&system.definition, formulas_of_bodies(&system.definition));
-    let unknown: Vec<GraphError> = needed
-        .union(&for_bodies)
+    let mut all = system.needs();
+    all.extend(needed_by(
+        &system.definition,
+        formulas_of_bodies(&system.definition),
+    ));
+    let unknown: Vec<GraphError> = all
+        .iter()
         .filter_map(|name| unknown(graph, system, name))
         .collect();
     if !unknown.is_empty() {
         return unknown;
     }
     let mut definition = system.definition.clone();
-    let all = crate::numerics::gather(needed.union(&for_bodies).cloned());
     let names = match put_functions_into(graph, &mut definition, all) {
         Ok(names) => names,
         Err(error) => return vec![GraphError::Compile(error.into())],
@@ -195,8 +198,8 @@ fn unknown(graph: &Graph, system: &DeclaredSystem, name: &Name) -> Option<GraphE
 fn put_functions_into(
     graph: &Graph,
     definition: &mut Definition,
-    mut needed: BTreeSet<Name>,
-) -> Result<BTreeSet<Name>, crate::expr::SymbolicError> {
+    mut needed: SortedSet<Name>,
+) -> Result<SortedSet<Name>, crate::expr::SymbolicError> {
     // Each round opens one level, and no chain of quantities has more levels than there are quantities.
     for _ in 0..graph.nodes.len() {
         let mut substitution = Substitution::new();

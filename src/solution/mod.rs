@@ -6,7 +6,6 @@ pub mod request;
 mod session;
 
 use std::cell::{Cell, OnceCell};
-use std::collections::BTreeMap;
 use std::rc::Rc;
 use std::sync::Arc;
 
@@ -18,6 +17,7 @@ use crate::bank::{Mistake, MistakeAnswer, Part, Template};
 use crate::expr::{Expr, Name, Precise, Value};
 use crate::instance::Instance;
 use crate::math::Math;
+use crate::numerics::SortedMap;
 use crate::quantity::{Absent, Evaluation, NodeId, Trace};
 use crate::seed::Streams;
 use crate::unit::DecimalMark;
@@ -37,7 +37,7 @@ pub struct Solution<'t> {
     printed: Vec<OnceCell<Result<Key, Absent>>>,
     /// The keys that a scene writes in its own way.
     written: Vec<OnceCell<Option<Math>>>,
-    standing: BTreeMap<Name, Expr>,
+    standing: SortedMap<Name, Expr>,
     /// Whether the values of a student stand in for quantities.
     is_following: bool,
     mark: DecimalMark,
@@ -74,7 +74,7 @@ impl<'t> Solution<'t> {
             sampling: Rc::new(Sampling::new(&template.drawn, || {
                 Instance::typical(template).evaluation()
             })),
-            standing: BTreeMap::new(),
+            standing: SortedMap::new(),
             is_following: false,
             mark,
             doubt: Doubt::default(),
@@ -99,7 +99,7 @@ impl<'t> Solution<'t> {
     pub(crate) fn following(
         &self,
         values: Vec<(NodeId, Value)>,
-        formulas: BTreeMap<Name, Expr>,
+        formulas: SortedMap<Name, Expr>,
     ) -> Self {
         Self {
             markers: cells(self.template()),

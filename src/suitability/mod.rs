@@ -6,10 +6,10 @@
 //! of them away stays outside.
 
 use std::cell::RefCell;
-use std::collections::BTreeMap;
 
 use crate::answer::{AnswerKind, Marker};
 use crate::expr::Precise;
+use crate::numerics::SortedMap;
 use crate::quantity::{Evaluation, Function, Method, NodeId, Wrong};
 use crate::solution::Solution;
 
@@ -172,7 +172,7 @@ struct Beside<'s> {
     /// Its numbers, or its values at these times.
     right: &'s [f64],
     /// Which functions are the key for these data.
-    in_force: RefCell<BTreeMap<NodeId, bool>>,
+    in_force: RefCell<SortedMap<NodeId, bool>>,
 }
 
 impl<'s> Beside<'s> {
@@ -286,10 +286,8 @@ impl<'s> Beside<'s> {
             Some(samples(&own, self.times?, 0.0)? == self.right)
         };
         let mut known = self.in_force.borrow_mut();
-        let found = known
-            .entry(step)
-            .or_insert_with(|| step == self.key || is_in_force() == Some(true));
-        *found
+        let holds = || step == self.key || is_in_force() == Some(true);
+        *known.get_or_insert_with(step, holds)
     }
 }
 

@@ -1,5 +1,7 @@
 //! Counts and fractions in words: `two degrees of freedom`, `one third`, `fifty percent`.
 
+use std::sync::OnceLock;
+
 use super::signs::is_apostrophe;
 use super::wording::Wording;
 use super::words::{COUNTS, DENIALS, DOUBTS, OTHER_VALUES, PARTS, WITHDRAWALS};
@@ -11,6 +13,11 @@ use vibank_source::lower;
 const COUNTED: &str = "degree degrees of freedom degrés de liberté freiheitsgrade freiheitsgrad dofs ddl coordinates coords \
                        constraints equations pairs modes equilibria positions independent holonomic geometric number \
                        total altogether translations rotations lengths distances angles fixed";
+
+/// What is counted in this field, by its words.
+pub(crate) fn things() -> Wording {
+    Wording::of(COUNTED)
+}
 
 /// What is counted in time.
 const TURNS_OF_TIME: &str = "periods oscillations vibrations swings times half-cycles";
@@ -33,20 +40,19 @@ const SO: &[&str] = &[
     " = ",
 ];
 
-/// A count in digits without what is counted, be it by the words of the question, and without a reason: `two degrees of
+/// A count in digits without what is counted, one of the known words, and without a reason: `two degrees of
 /// freedom`, `2 half-cycles`, `two (x, y)` and `x, y so 2` are `2`; none where nothing of that was typed.
-pub(crate) fn in_digits(typed: &str, asked: &Wording) -> Option<String> {
+pub(crate) fn in_digits(typed: &str, known: &Wording) -> Option<String> {
     let text = typed.trim().trim_end_matches(['.', '!']);
     let numbered = NUMBERED.iter().find_map(|word| text.strip_prefix(word));
     if let Some(number) = numbered.filter(|own| own.parse::<u32>().is_ok()) {
         return Some(number.to_owned());
     }
-    let known = Wording::of(COUNTED).joined(asked);
     let signs = [text.rfind(':'), text.rfind('=')].into_iter().flatten();
     let starts = std::iter::once(0).chain(signs.map(|at| at + 1));
     let mut found = starts.filter_map(|start| {
         let (label, said) = text.split_at(start);
-        let number = count(said, &known)?;
+        let number = count(said, known)?;
         // `there are none`
         let is_idle = Wording::of(label.trim_end_matches(['=', ':', ' '])).is_empty();
         let label = if is_idle { "" } else { label };
@@ -57,8 +63,8 @@ pub(crate) fn in_digits(typed: &str, asked: &Wording) -> Option<String> {
     let found = found
         .next()
         .filter(|digits| digits != text && !text.eq_ignore_ascii_case("none"));
-    let found = found.or_else(|| conclusion(text, &known));
-    found.or_else(|| calculation(text, &known))
+    let found = found.or_else(|| conclusion(text, known));
+    found.or_else(|| calculation(text, known))
 }
 
 /// The count that follows from what stands before it: `x, y, z so 3`, `n = 3.17 → 4`.
@@ -308,10 +314,12 @@ fn cardinal(words: &[&str]) -> Option<i128> {
 
 /// The word for what is counted, after a number: `2 periods`.
 pub(crate) fn counted(value: &str) -> Option<&str> {
+    // Asked of each response that is no number, though most are of other words.
+    static KNOWN: OnceLock<Wording> = OnceLock::new();
+    let known = KNOWN.get_or_init(|| things().joined(&Wording::of(TURNS_OF_TIME)));
     let word = value.trim_start_matches(|char: char| !char.is_alphabetic());
-    let known = Wording::of(COUNTED).joined(&Wording::of(TURNS_OF_TIME));
     let own = Wording::of(word);
-    (!own.is_empty() && own.is_part_of(&known)).then_some(word)
+    (!own.is_empty() && own.is_part_of(known)).then_some(word)
 }
 
 #[cfg(test)]
@@ -320,7 +328,9 @@ mod tests {
 
     #[test]
     fn counts_are_those_of_what_is_asked_for() {
-        let asked = Wording::of("How many half-cycles does the block make before it rests?");
+        let known = things().joined(&Wording::of(
+            "How many half-cycles does the block make before it rests?",
+        ));
         for (typed, digits) in [
             ("two", Some("2")),
             ("2 half-cycles", Some("2")),
@@ -369,19 +379,19 @@ mod tests {
             ("about two blocks", None),
             ("2", None),
         ] {
-            assert_eq!(in_digits(typed, &asked).as_deref(), digits, "{typed}");
+            assert_eq!(in_digits(typed, &known).as_deref(), digits, "{typed}");
         }
     }
 
     #[test]
     fn a_rank_is_a_count_where_one_is_asked() {
-        let asked = Wording::of("Which is the last extremum?");
+        let known = things().joined(&Wording::of("Which is the last extremum?"));
         for (typed, digits) in [
             ("the 4th", Some("4")),
             ("4th extremum", Some("4")),
             ("4th cycle", None),
         ] {
-            assert_eq!(in_digits(typed, &asked).as_deref(), digits, "{typed}");
+            assert_eq!(in_digits(typed, &known).as_deref(), digits, "{typed}");
         }
     }
 

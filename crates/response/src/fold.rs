@@ -22,7 +22,7 @@ use self::plain::{has_barred_numbers, has_cells};
 pub(crate) use self::programs::arguments_of_call;
 pub(crate) use self::spaces::OneWidth;
 use self::words::is_shouted;
-use super::signs::{MIDDLE_POINT, Plain, RUNS, begins_run, is_minus, of_char};
+use super::signs::{MIDDLE_POINT, Plain, is_minus, of_char, run_at, would_run};
 use super::surroundings::answer_in;
 use vibank_formula::unit::Unit;
 
@@ -130,14 +130,7 @@ impl<'t> Folder<'t> {
     /// Whether a sign would make a run with what stands before it.
     fn would_run(&self, sign: &str) -> bool {
         let is_letter = sign.starts_with(|char: char| char.is_ascii_alphanumeric() || char == ' ');
-        let last = sign.as_bytes().last();
-        !is_letter
-            && RUNS.iter().any(|(run, _)| {
-                run.as_bytes().last() == last
-                    && run
-                        .strip_suffix(sign)
-                        .is_some_and(|before| !before.is_empty() && self.text.ends_with(before))
-            })
+        !is_letter && would_run(&self.text, sign)
     }
 
     /// Closes the brackets that roots in words have opened, where what stands under them ends.
@@ -258,8 +251,7 @@ impl<'t> Folder<'t> {
 
     /// Writes a run of signs, a sign of the table or a letter.
     fn single(&mut self, char: char, width: usize) {
-        let mut runs = RUNS.iter().filter(|_| begins_run(char));
-        if let Some((run, sign)) = runs.find(|(run, _)| self.rest().starts_with(run)) {
+        if let Some((run, sign)) = run_at(self.rest()) {
             return self.write(sign, run.len());
         }
         // Only in what word processors draw as a matrix does it part rows.

@@ -3,6 +3,7 @@
 use super::list::{cut, trimmed};
 use super::words::RANKS;
 use super::{Trouble, TypedError};
+use vibank_dynamics::numerics::SortedMap;
 use vibank_source::{Span, lower};
 
 /// The symbol before a piece, and the piece without it.
@@ -96,7 +97,7 @@ fn is_computed(label: &str) -> bool {
 /// `K22 = k, K12 = K21 = -k, K11 = 2k`; nothing where not each entry is given once. The value comes after its first
 /// symbol, and others may follow: `K12 = -k = K21`.
 pub(crate) fn by_indices(text: &str, pieces: &[Span]) -> Option<Vec<Vec<Span>>> {
-    let mut entries = std::collections::BTreeMap::new();
+    let mut entries = SortedMap::new();
     for piece in pieces {
         let mut sides = cut(text, *piece, &['=', '≈']);
         let is_value = |side: &Span| indices(&text[side.range()]).is_none();
@@ -115,13 +116,13 @@ pub(crate) fn by_indices(text: &str, pieces: &[Span]) -> Option<Vec<Vec<Span>>> 
             }
         }
     }
-    let (rows, columns) = *entries.last_key_value()?.0;
+    let (rows, columns) = *entries.keys().next_back()?;
     let is_whole = rows > 1 && entries.len() == (rows * columns) as usize;
     let due = (1..=rows).flat_map(|row| (1..=columns).map(move |column| (row, column)));
     if !is_whole || !due.eq(entries.keys().copied()) {
         return None;
     }
-    let places: Vec<Span> = entries.into_values().collect();
+    let places: Vec<Span> = entries.values().copied().collect();
     Some(
         places
             .chunks(columns as usize)

@@ -1,6 +1,5 @@
 //! From the [folded](super::Folded) signs of a response to tokens, its runs of letters split into words.
 
-use std::collections::BTreeSet;
 use std::sync::Arc;
 
 use super::conjugates::{conjugate_mark, conjugate_stars, conjugate_terms};
@@ -12,11 +11,12 @@ use super::letters::{Letters, combining, dotted, greek, greek_word, name_of_comm
 use super::signs::MIDDLE_POINT;
 use super::spellings::{may_be_small, with_other_case};
 use super::subscript::{subscript, subscripts};
+use super::surroundings::begins;
 use super::token::{Item, Token};
 use super::vocabulary::{Ending, WordPiece, WordSense};
 use super::words::{MODULES, Powered};
 use super::{Lexicon, Manner, Trouble, TypedError};
-use vibank_dynamics::numerics::{Rational, gather};
+use vibank_dynamics::numerics::{Rational, SortedSet};
 use vibank_formula::expr::{Constant, Expr, Function, Kind, Name};
 use vibank_formula::unit::Unit;
 use vibank_formula::work;
@@ -212,7 +212,7 @@ impl<'a> Lexer<'a> {
             |length: usize| self.rest()[length..].starts_with(|next: char| next.is_alphabetic());
         let found = MODULES
             .iter()
-            .find(|module| self.rest().starts_with(**module) && is_word(module.len()));
+            .find(|module| begins(self.rest(), module) && is_word(module.len()));
         self.at += found.map_or(0, |module| module.len());
         // What programs call so is the natural one; alone, people mean the other as well.
         let is_program = || {
@@ -596,7 +596,7 @@ impl<'a> Lexer<'a> {
 
     /// `d/dt (m x')`; whether the operator stands here.
     fn operator(&mut self) -> bool {
-        let moving: BTreeSet<Name> = gather(self.lexicon.moving_names().cloned());
+        let moving: SortedSet<Name> = self.lexicon.moving_names().cloned().collect();
         let found = operator(self.text, self.at).filter(|_| !moving.is_empty());
         let Some((order, end)) = found else {
             return false;

@@ -1,12 +1,12 @@
 //! What names a response may use, with their symbols; what people type for them is made out when one is read.
 
-use std::collections::BTreeMap;
 use std::sync::{Arc, OnceLock};
 
 use super::letters::Letters;
 use super::near::{ends_with_function, nearest, typable};
 use super::vocabulary::{Ending, WordPiece, Words};
 use super::{Manner, Trouble};
+use vibank_dynamics::numerics::SortedMap;
 use vibank_formula::expr::{Expr, Kind, Name, Notation, Substitution, Symbol};
 use vibank_notation::{Math, symbol};
 
@@ -14,7 +14,7 @@ use vibank_notation::{Math, symbol};
 #[derive(Debug, Default)]
 pub struct Lexicon {
     entries: Vec<LexiconEntry>,
-    symbols: BTreeMap<Name, Arc<Math>>,
+    symbols: SortedMap<Name, Arc<Math>>,
     moving: Vec<Name>,
     /// Only a response asks for them.
     words: OnceLock<Words>,

@@ -298,9 +298,9 @@ impl<'t> Passage<'t> {
         distance::distance(self.0)
     }
 
-    /// A count in words, or with what is counted by a question of these words, `two degrees of freedom`, in digits.
-    pub fn in_digits(self, asked: &Wording) -> Option<Reworded> {
-        counts::in_digits(self.0, asked).map(Reworded::of)
+    /// A count in words, or with what is counted by one of the known words, `two degrees of freedom`, in digits.
+    pub fn in_digits(self, known: &Wording) -> Option<Reworded> {
+        counts::in_digits(self.0, known).map(Reworded::of)
     }
 
     /// A value without the words before and after it that the question has: `47.7 N/m each`, `1.48 pseudo-periods`.

@@ -3,6 +3,8 @@
 use std::ops::Range;
 
 use super::letters::{Letters, letter};
+use vibank_dynamics::numerics::sort_by_key;
+use vibank_source::capital;
 
 /// The components that a relation between all of them gives, as a list; none where it is none, or more than one thing is
 /// said.
@@ -124,12 +126,13 @@ impl Names {
                 continue;
             }
             let word = Letters::spelling(symbol).unwrap_or_default();
-            let capital = symbol.chars().flat_map(char::to_uppercase).collect();
+            let ordinary: String = symbol.chars().map(ordinary).collect();
+            let capital = capital(&ordinary);
             let all = [symbol.to_owned(), capital, format!("\\{word}"), word];
             own.extend(all.into_iter().map(|spelling| (spelling, place + 1)));
         }
         // `theta` before `t`.
-        own.sort_by_key(|(spelling, _)| std::cmp::Reverse(spelling.len()));
+        sort_by_key(&mut own, |(spelling, _)| std::cmp::Reverse(spelling.len()));
         Self { own }
     }
 
@@ -187,6 +190,20 @@ impl Names {
             let found = indexed.filter(is_whole).or_else(|| own().filter(is_whole));
             found.map(|(end, index)| (at..end, index))
         })
+    }
+}
+
+/// A Greek letter of another shape as the ordinary one, whose capital it has.
+fn ordinary(letter: char) -> char {
+    match letter {
+        'ϑ' => 'θ',
+        'ϕ' => 'φ',
+        'ϖ' => 'π',
+        'ϰ' => 'κ',
+        'ϱ' => 'ρ',
+        'ϵ' => 'ε',
+        'ς' => 'σ',
+        _ => letter,
     }
 }
 

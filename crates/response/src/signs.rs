@@ -178,39 +178,48 @@ pub(crate) const RUNS: &[(&str, &str)] = &[
     ("×₁₀", "e"),
 ];
 
-/// Whether a run may begin with a character: most do not, and each one of a response is asked.
-pub(crate) fn begins_run(char: char) -> bool {
-    // Made of the table when the program is compiled, so that a new run needs no second list.
-    const FIRST: u128 = {
-        let (mut mask, mut at) = (0, 0);
-        while at < RUNS.len() {
-            let first = RUNS[at].0.as_bytes()[0];
-            if first.is_ascii() {
-                mask |= 1 << first;
-            }
-            at += 1;
-        }
-        mask
-    };
-    // Beyond ASCII, by the last one of the bytes of the character: letters with the first byte of a sign are common.
-    const LAST: u64 = {
-        let (mut mask, mut at) = (0_u64, 0);
-        while at < RUNS.len() {
-            let run = RUNS[at].0.as_bytes();
-            if !run[0].is_ascii() {
-                let length = run[0].leading_ones() as usize;
-                mask |= 1 << (run[length - 1] & 0x3f);
-            }
-            at += 1;
-        }
-        mask
-    };
-    let place = u32::from(char);
-    if char.is_ascii() {
-        FIRST >> place & 1 == 1
-    } else {
-        LAST >> (place & 0x3f) & 1 == 1
+/// The run of signs with which a text begins, and the sign that it is.
+pub(crate) fn run_at(text: &str) -> Option<(&'static str, &'static str)> {
+    const FIRST: [u128; 2] = ends_of_runs(false);
+    let first = *text.as_bytes().first()?;
+    if !has(FIRST, first) {
+        return None;
     }
+    let mut likely = RUNS.iter().filter(|(run, _)| run.as_bytes()[0] == first);
+    likely.find(|(run, _)| text.starts_with(run)).copied()
+}
+
+/// Whether a sign behind a text makes a run with its end.
+pub(crate) fn would_run(text: &str, sign: &str) -> bool {
+    const LAST: [u128; 2] = ends_of_runs(true);
+    let last = sign.as_bytes().last();
+    let makes = |run: &str| {
+        let before = run.strip_suffix(sign).unwrap_or_default();
+        !before.is_empty() && text.ends_with(before)
+    };
+    last.is_some_and(|last| has(LAST, *last))
+        && RUNS
+            .iter()
+            .any(|(run, _)| run.as_bytes().last() == last && makes(run))
+}
+
+/// A bit for each byte with which a run begins, or ends.
+// Made of the table when the program is compiled, so that a new run needs no second list: most signs are in none, and each
+// one of a response is asked.
+const fn ends_of_runs(is_last: bool) -> [u128; 2] {
+    let (mut bits, mut at) = ([0, 0], 0);
+    while at < RUNS.len() {
+        let run = RUNS[at].0.as_bytes();
+        let byte = run[if is_last { run.len() - 1 } else { 0 }];
+        bits[(byte >> 7) as usize] |= 1 << (byte & 127);
+        at += 1;
+    }
+    bits
+}
+
+/// Whether the bit of a byte is set.
+fn has(bits: [u128; 2], byte: u8) -> bool {
+    bits[usize::from(byte >> 7)] >> (byte & 127) & 1 == 1
 }
 
 /// Quotation marks and other pairs that people set around a whole answer.

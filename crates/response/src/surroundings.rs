@@ -13,7 +13,7 @@ use self::before::{bullet, definition, described, lead, named_equation, remark_b
 pub(crate) use self::numbered::enumeration;
 use self::numbered::number_of_item;
 use super::words::WITHDRAWALS;
-use vibank_source::lower;
+use vibank_source::is_lower;
 
 /// Where the answer stands in what was typed.
 pub(crate) fn answer_in(typed: &str) -> Range<usize> {
@@ -70,11 +70,15 @@ pub fn withdrawn(typed: &str, may_be_words: bool) -> Option<&str> {
     if may_be_words || is_alone {
         return None;
     }
-    let bare = |word: &str| lower(word.trim_matches(['(', ')', '.', ',', '!', ':', ';']));
+    let is_mark = |char: char| "().,!:;".contains(char);
+    let withdraws = |word: &str| {
+        let word = word.trim_matches(is_mark);
+        WITHDRAWALS.iter().any(|own| is_lower(word, own))
+    };
     let first = typed.split_whitespace().next();
     let last = typed.split_whitespace().next_back();
     let mut ends = [first, last].into_iter().flatten();
-    ends.find(|word| WITHDRAWALS.contains(&bare(word).as_str()))
+    ends.find(|word| withdraws(word))
 }
 
 fn trimmed(typed: &str, range: &Range<usize>) -> Range<usize> {
@@ -88,8 +92,24 @@ pub(crate) fn behind_word<'t>(text: &'t str, word: &str) -> Option<&'t str> {
     text.strip_prefix(word)?.strip_prefix(' ')
 }
 
-/// What comes after words, however they are spaced; `is_same` says when two words are.
+/// What comes after words, however they are spaced; `is_same` says when two words are, at least by their first letter.
+#[inline]
 pub(crate) fn behind_words<'t>(
+    text: &'t str,
+    words: &str,
+    is_same: impl Fn(&str, &str) -> bool,
+) -> Option<&'t str> {
+    // To part words at their spaces takes longer than to see that they begin with another letter, as most of a table do:
+    // that alone is done in the loop over the table.
+    if begin_alike(text, words) {
+        behind_each(text, words, is_same)
+    } else {
+        None
+    }
+}
+
+#[inline(never)]
+fn behind_each<'t>(
     text: &'t str,
     words: &str,
     is_same: impl Fn(&str, &str) -> bool,
@@ -103,6 +123,31 @@ pub(crate) fn behind_words<'t>(
         rest = is_same(head, word).then(|| &rest[word.len()..])?;
     }
     Some(rest)
+}
+
+/// Whether a text begins with a word.
+// Of a table most words begin with another letter, and a comparison of texts is a call.
+pub(crate) fn begins(text: &str, word: &str) -> bool {
+    begin_alike(text, word) && text.starts_with(word)
+}
+
+/// Whether two texts may begin with the same letter, be it a capital in one of them.
+#[inline]
+fn begin_alike(text: &str, word: &str) -> bool {
+    /// By which capital and small letters of ASCII differ.
+    const CASE: u8 = 0x20;
+    let first = text.as_bytes().first().zip(word.as_bytes().first());
+    first.is_some_and(|(own, other)| (own ^ other) & !CASE == 0)
+}
+
+/// What stands before and after the last place of words.
+// The search of the standard library prepares for long texts, which takes longer than to look through an answer.
+fn split_at_last<'t>(text: &'t str, words: &str) -> Option<(&'t str, &'t str)> {
+    let (text_bytes, own) = (text.as_bytes(), words.as_bytes());
+    let last = text.len().checked_sub(words.len())?;
+    let is_here = |at: &usize| text_bytes[*at] == own[0] && text_bytes[*at..].starts_with(own);
+    let at = (0..=last).rev().find(is_here)?;
+    Some((&text[..at], &text[at + words.len()..]))
 }
 
 #[cfg(test)]

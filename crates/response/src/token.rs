@@ -1,11 +1,10 @@
 //! Tokens: the pieces of a response with their places.
 
-use std::collections::BTreeSet;
 use std::sync::Arc;
 
 use super::TypedError;
 use super::words::Powered;
-use vibank_dynamics::numerics::Rational;
+use vibank_dynamics::numerics::{Rational, SortedSet};
 use vibank_formula::expr::{Expr, Function, Kind, Name};
 use vibank_formula::unit::{Decimal, Unit};
 use vibank_source::Span;
@@ -36,7 +35,7 @@ pub(crate) enum Item {
     /// `\frac`.
     Fraction,
     /// The operator of a time derivative before a bracket, `d/dt (m x')`, and what moves with time.
-    Rate(Arc<BTreeSet<Name>>),
+    Rate(Arc<SortedSet<Name>>),
     /// `°`.
     Degree,
     /// An operator, bracket or other sign.

@@ -1,7 +1,5 @@
 //! The words of a response: the names that it may use, functions and constants; runs of letters split into them.
 
-use std::collections::BTreeMap;
-
 use super::customary::{
     CustomaryRate, DECAY_RATES, about_axis, bare_frequency, damped, decay_rate,
     indexed_frequencies, initial_state, length, natural_frequency, velocities,
@@ -13,6 +11,7 @@ use super::spellings::{
     first_rates, in_other_case, others, rates, second_rates, shortened, undotted,
 };
 use super::words::{ALIASES, BARE, INFINITY, POWERS, Powered};
+use vibank_dynamics::numerics::SortedMap;
 use vibank_formula::expr::{Constant, Expr, Function, Kind, Name};
 use vibank_notation::Math;
 
@@ -21,7 +20,7 @@ use vibank_notation::Math;
 pub(crate) struct Words {
     words: Vec<Word>,
     /// Words by first letter.
-    by_letter: BTreeMap<u8, Vec<usize>>,
+    by_letter: SortedMap<u8, Vec<usize>>,
     allowed: Vec<String>,
     /// Spellings with a Greek letter shortened.
     shortened: Vec<String>,
@@ -435,10 +434,8 @@ impl Words {
         let Some(&first) = spelling.as_bytes().first() else {
             return;
         };
-        self.by_letter
-            .entry(first)
-            .or_default()
-            .push(self.words.len());
+        let places = self.by_letter.get_or_insert_with(first, Vec::new);
+        places.push(self.words.len());
         self.words.push(Word {
             spelling: spelling.to_owned(),
             sense,

@@ -1,5 +1,6 @@
 //! Words by what they mean: stems, with one word for all that mean the same in the field, without those that say nothing.
 
+use super::counts;
 use super::letters::{greek_word, letter, lowered};
 use super::words::{FILLERS, OTHER_VALUES, PREFIXES, RUNS_OF_WORDS, STRESSES, SUFFIXES, SYNONYMS};
 use vibank_notation::greek_name;
@@ -65,6 +66,12 @@ impl Wording {
     /// The words of a question, and those that stress what is said.
     pub fn of_question(text: &str) -> Self {
         Self::of(&format!("{STRESSES} {text}"))
+    }
+
+    /// The words of a question for a count, and of what is counted in this field.
+    pub fn of_count(question: Option<&str>) -> Self {
+        let asked = question.map(Self::of_question);
+        counts::things().joined(&asked.unwrap_or_default())
     }
 
     /// Whether nothing is said.

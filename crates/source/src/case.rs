@@ -13,6 +13,17 @@ pub fn lower(text: &str) -> String {
     text.chars().map(small).collect()
 }
 
+/// Whether a text in small letters is this one; as [`lower`], but without writing it.
+///
+/// ```
+/// use vibank_source::is_lower;
+/// assert!(is_lower("Wrong", "wrong"));
+/// assert!(!is_lower("wrong", "Wrong"));
+/// ```
+pub fn is_lower(text: &str, small_text: &str) -> bool {
+    text.chars().map(small).eq(small_text.chars())
+}
+
 /// A sentence with a capital first letter.
 ///
 /// ```
@@ -39,9 +50,12 @@ pub fn is_capital(letter: char) -> bool {
 }
 
 fn small(letter: char) -> char {
+    if letter.is_ascii() {
+        return letter.to_ascii_lowercase();
+    }
     let code = u32::from(letter);
     let step = match letter {
-        'A'..='Z' | 'À'..='Ö' | 'Ø'..='Þ' | 'Α'..='Ρ' | 'Σ'..='Ϋ' | 'А'..='Я' => 32,
+        'À'..='Ö' | 'Ø'..='Þ' | 'Α'..='Ρ' | 'Σ'..='Ϋ' | 'А'..='Я' => 32,
         'Ѐ'..='Џ' => 80,
         'Ա'..='Ֆ' => 48,
         // In pairs, the capital letter first.

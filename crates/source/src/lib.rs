@@ -38,7 +38,7 @@ mod text;
 pub mod toml;
 mod value;
 
-pub use case::{capital, is_capital, lower};
+pub use case::{capital, is_capital, is_lower, lower};
 pub use json::{Fields, FromJson, Misfit, variant};
 pub use nearest::{EditDistance, nearest};
 pub use problem::Problem;

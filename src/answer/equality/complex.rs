@@ -4,11 +4,11 @@
 //! branch. The data are turned by a little, so that quantities that are positive stay in the right half-plane;
 //! a pair that differs at two points is different.
 
-use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use crate::answer::meaning::{Meaning, ORDERS};
 use crate::expr::{Approx, Expr, Name, Precise, Program, Registers};
+use crate::numerics::SortedMap;
 
 /// Points that are turned.
 // Two of them have to differ, so that one point at which digits are lost decides nothing.
@@ -24,7 +24,7 @@ const DIFFERENT: f64 = 1e-6;
 pub(crate) fn program(
     meaning: &Meaning,
     expr: &Expr,
-    replaced: &BTreeMap<Name, Expr>,
+    replaced: &SortedMap<Name, Expr>,
 ) -> Option<Program> {
     meaning
         .is_analytic(expr, replaced)

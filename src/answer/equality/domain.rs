@@ -3,10 +3,9 @@
 //! A constraint that says that two things are equal holds nowhere near a point that is drawn: where one of its sides is
 //! an input alone, this input is given the value of the other side.
 
-use std::collections::BTreeMap;
-
 use crate::answer::meaning::{Input, Meaning, ORDERS};
 use crate::expr::{Approx, Expr, Kind, Precise, Program, Registers, Relation};
+use crate::numerics::SortedMap;
 
 /// One condition of a constraint, over the inputs of a meaning.
 #[derive(Debug)]
@@ -48,7 +47,7 @@ impl Condition {
     }
 
     fn read(meaning: &Meaning, expr: &Expr, solved: Option<usize>) -> Option<Self> {
-        let program = meaning.compile(expr, &BTreeMap::new()).ok()?;
+        let program = meaning.compile(expr, &SortedMap::new()).ok()?;
         // What moves is not held by a constraint on the data.
         let is_moving = |slot: &u32| {
             let input: Option<&Input> = meaning.inputs.get(*slot as usize / ORDERS);

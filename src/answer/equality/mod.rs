@@ -25,7 +25,6 @@ mod drawn;
 mod judge;
 mod residue;
 
-use std::collections::BTreeMap;
 use std::sync::Arc;
 
 pub(crate) use self::domain::Condition;
@@ -37,6 +36,7 @@ use self::judge::{AtPoint, DIFFERENT, Rooms};
 use self::residue::Residue;
 use super::meaning::Meaning;
 use crate::expr::{CompileError, Expr, Field, Kind, Name, Precise, Program};
+use crate::numerics::SortedMap;
 
 /// Points at which formulas are compared.
 // At a random point two different analytic formulas agree with probability zero; the others guard against points at
@@ -69,7 +69,7 @@ impl Comparable {
     pub(crate) fn of(
         meaning: &Meaning,
         expr: &Expr,
-        replaced: &BTreeMap<Name, Expr>,
+        replaced: &SortedMap<Name, Expr>,
     ) -> Result<Self, CompileError> {
         let mut has_long_decimals = false;
         expr.walk(&mut |node| {

@@ -9,12 +9,10 @@
 //! Roots and transcendental functions stand for fresh variables, the same for the same argument (Gonnet 1984).
 //! Formulas that agree then are equal; those that do not may be equal all the same.
 
-use std::collections::BTreeMap;
-
 use super::draw::mixed;
 use crate::answer::meaning::Meaning;
 use crate::expr::{Binder, Binding, Constant, Expr, Kind, Name, Operator, Variable, fold};
-use crate::numerics::Rational;
+use crate::numerics::{Rational, SortedMap};
 use crate::unit::{Decimal, Quantity, Unit};
 
 /// Points, each with a prime of its own.
@@ -47,7 +45,7 @@ impl Residue {
     pub(crate) fn of(
         meaning: &Meaning,
         expr: &Expr,
-        replaced: &BTreeMap<Name, Expr>,
+        replaced: &SortedMap<Name, Expr>,
     ) -> Option<Self> {
         let mut reader = Reader {
             meaning,
@@ -78,7 +76,7 @@ impl Residue {
 
 struct Reader<'a> {
     meaning: &'a Meaning,
-    replaced: &'a BTreeMap<Name, Expr>,
+    replaced: &'a SortedMap<Name, Expr>,
     is_rational: bool,
     nodes: usize,
 }

@@ -1,7 +1,6 @@
 //! Marks equations: alone, and together with the responses to the other parts that ask for equations.
 
 use std::cell::OnceCell;
-use std::collections::BTreeMap;
 
 use super::points::{Choice, Choices, of_instance};
 use super::quotient::without_quotients;
@@ -17,7 +16,7 @@ use crate::answer::{
     Remark, Slip, Trial, Unreadable, Verdict, Why,
 };
 use crate::expr::{Equation, Expr, Kind, Name, Program};
-use crate::numerics::Rational;
+use crate::numerics::{Rational, SortedMap};
 use crate::response::Passage;
 use crate::work;
 
@@ -46,7 +45,7 @@ impl Prepared {
     /// without roots, or without quotients of unknowns.
     fn compared(&self, equations: Vec<Equation>) -> Option<(Vec<Equation>, Vec<Program>, Rows)> {
         let compared = |equations: Vec<Equation>| {
-            let typed = self.setup.compile(&equations, &BTreeMap::new())?;
+            let typed = self.setup.compile(&equations, &SortedMap::new())?;
             let rows = self.choices.compare_with_key(&typed);
             Some((equations, typed, rows))
         };
@@ -248,7 +247,7 @@ impl Prepared {
         };
         let rounding = || rounding_of_values(&own.difference());
         let compared = || {
-            let typed = self.setup.compile(equations, &BTreeMap::new())?;
+            let typed = self.setup.compile(equations, &SortedMap::new())?;
             let (terms, point) = (terms(&self.setup), points.first()?);
             let key = Coefficients::of(key, &terms, point)?;
             let typed = Coefficients::of(typed.first()?, &terms, point)?;

@@ -27,7 +27,6 @@ mod terms;
 mod told;
 
 use std::cell::OnceCell;
-use std::collections::BTreeMap;
 use std::sync::{Arc, OnceLock};
 
 use self::marker::Prepared;
@@ -42,6 +41,7 @@ use super::{
 };
 use crate::expr::{Equation, Expr, Name, Program};
 use crate::math::Math;
+use crate::numerics::SortedMap;
 use crate::quantity::{Absent, Evaluation, NodeId};
 use crate::response::Lexicon;
 use crate::source::{Table, Text, Value};
@@ -214,7 +214,7 @@ impl Answer for Equations {
             };
             if self
                 .setup
-                .compile(std::slice::from_ref(&equation), &BTreeMap::new())
+                .compile(std::slice::from_ref(&equation), &SortedMap::new())
                 .is_none()
             {
                 equations(text, &self.setup.meaning, declare)?;
@@ -238,7 +238,7 @@ impl Answer for Equations {
     fn prepare<'t>(&self, context: &Context<'t>) -> Result<Box<dyn Marker + 't>, Absent> {
         let setup = &self.setup;
         let graph = context.evaluation.graph();
-        let none = BTreeMap::new();
+        let none = SortedMap::new();
         let absent = || Absent::Function {
             label: "key".into(),
             of: Vec::new(),
@@ -324,7 +324,7 @@ impl Setup {
     fn compile(
         &self,
         equations: &[Equation],
-        replaced: &BTreeMap<Name, Expr>,
+        replaced: &SortedMap<Name, Expr>,
     ) -> Option<Vec<Program>> {
         let compile =
             |equation: &Equation| self.meaning.compile(&equation.difference(), replaced).ok();

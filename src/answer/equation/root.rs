@@ -1,11 +1,9 @@
 //! Equations with a root alone on one side, `sqrt(x^2 + y^2) = l`: the same without it.
 
-use std::collections::BTreeMap;
-
 use super::Setup;
 use super::points::{Choices, value};
 use crate::expr::{Equation, Expr, Function, Kind, Operator};
-use crate::numerics::Rational;
+use crate::numerics::{Rational, SortedMap};
 
 /// The equations with both sides squared where a root is said to be a positive datum; none if there is no such.
 pub(crate) fn without_roots(
@@ -39,7 +37,7 @@ fn is_positive(setup: &Setup, choices: &Choices, side: &Expr) -> bool {
         .free
         .iter()
         .all(|variable| !setup.unknowns.contains(&variable.name) && variable.name.as_str() != "t");
-    let program = setup.meaning.compile(side, &BTreeMap::new());
+    let program = setup.meaning.compile(side, &SortedMap::new());
     is_datum
         && program.is_ok_and(|program| {
             let mut points = choices.points.iter().flatten();

@@ -1,7 +1,5 @@
 //! Equations that the parts of an item ask for one by one, as far as they belong to one system.
 
-use std::collections::BTreeMap;
-
 use super::Setup;
 use super::marker::Prepared;
 use super::points::Choices;
@@ -9,6 +7,7 @@ use super::rows::Rows;
 use super::terms::{Coefficients, terms};
 use crate::answer::{Beside, Equations};
 use crate::expr::{Equation, Name, Program};
+use crate::numerics::SortedMap;
 
 /// Other parts that are looked at; what they can say together grows with every one.
 const MAX_OTHERS: usize = 5;
@@ -57,7 +56,7 @@ impl<'a> System<'a> {
         };
         let count = unknowns.iter().filter(occurs).count();
         let fits = unknowns == self.setup.unknowns && equations.len() <= count;
-        let none = BTreeMap::new();
+        let none = SortedMap::new();
         let other = Other {
             key: self.setup.compile(&key, &none)?,
             typed: self.setup.compile(&typed, &none)?,

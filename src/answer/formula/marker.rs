@@ -1,6 +1,5 @@
 //! Reads formulas, and marks them: by their dimension, then by their values.
 
-use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use super::Setup;
@@ -14,6 +13,7 @@ use crate::answer::{
 };
 use crate::expr::{Expr, Field, Kind, Operator, Substitution};
 use crate::math::symbol;
+use crate::numerics::SortedMap;
 use crate::response::{BeforeUnit, Manner, Passage, Stated, Trouble, Typed, TypedError};
 use crate::unit::{DecimalMark, Unit};
 
@@ -228,7 +228,7 @@ impl Prepared {
     }
 
     fn comparable(&self, expr: &Expr) -> Option<Comparable> {
-        Comparable::of(&self.setup.meaning, expr, &BTreeMap::new()).ok()
+        Comparable::of(&self.setup.meaning, expr, &SortedMap::new()).ok()
     }
 
     /// The named mistake that a formula is.

@@ -18,7 +18,6 @@
 mod marker;
 mod slip;
 
-use std::collections::BTreeMap;
 use std::sync::{Arc, OnceLock};
 
 use self::marker::{Mistake, Prepared};
@@ -31,6 +30,7 @@ use super::{
     symbolic,
 };
 use crate::expr::{Expr, Field, Name, Shape, Type};
+use crate::numerics::SortedMap;
 use crate::quantity::{Absent, Evaluation, NodeId};
 use crate::response::Lexicon;
 use crate::source::{Table, Text};
@@ -177,8 +177,8 @@ impl Answer for Formula {
     fn prepare<'t>(&self, context: &Context<'t>) -> Result<Box<dyn Marker + 't>, Absent> {
         let (setup, graph) = (&self.setup, context.evaluation.graph());
         context.evaluation.exists_for(self.key)?;
-        let none = BTreeMap::new();
-        let compile = |expr: &Expr, replaced: &BTreeMap<Name, Expr>| {
+        let none = SortedMap::new();
+        let compile = |expr: &Expr, replaced: &SortedMap<Name, Expr>| {
             Comparable::of(&setup.meaning, expr, replaced).ok()
         };
         let own = context.standing.get(&Name::new(graph.label(self.key)));

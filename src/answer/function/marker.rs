@@ -1,7 +1,6 @@
 //! Marks functions by their values at the times of the span.
 
 use std::cell::OnceCell;
-use std::collections::BTreeMap;
 use std::rc::Rc;
 use std::sync::Arc;
 
@@ -19,6 +18,7 @@ use crate::answer::{
     Tolerance, Trial,
 };
 use crate::expr::{Expr, Form, Inputs, Kind, Precise, Scalar, Undefined};
+use crate::numerics::SortedMap;
 use crate::quantity::{Absent, Evaluation, NodeId};
 use crate::response::Passage;
 use crate::unit::{Dimension, Unit};
@@ -128,7 +128,7 @@ impl Prepared<'_> {
 
     fn values_at(&self, expr: &Expr, times: &[Precise]) -> Option<Vec<f64>> {
         let setup = &self.setup;
-        let program = setup.meaning.compile(expr, &BTreeMap::new()).ok()?;
+        let program = setup.meaning.compile(expr, &SortedMap::new()).ok()?;
         let slot = setup.meaning.place(&setup.variable)? * ORDERS;
         if program.form() != Form::REAL {
             return None;

@@ -1,7 +1,6 @@
 //! The values of bounds.
 
 use std::cell::Cell;
-use std::collections::BTreeMap;
 
 use super::read::{Read, like_interval};
 use super::set::End;
@@ -9,6 +8,7 @@ use super::{Setup, Written, compared, is_infinite};
 use crate::answer::numeric;
 use crate::answer::{Example, Misfit, Unreadable, Why};
 use crate::expr::{Expr, Kind, Precise, Workspace};
+use crate::numerics::SortedMap;
 use crate::response::{Manner, Passage};
 use crate::unit::{DecimalMark, Quantity, Unit};
 
@@ -181,7 +181,11 @@ impl Ends<'_> {
 
     /// The value of a formula in SI units.
     pub(crate) fn value(&self, formula: &Expr) -> Option<f64> {
-        let program = self.setup.meaning.compile(formula, &BTreeMap::new()).ok()?;
+        let program = self
+            .setup
+            .meaning
+            .compile(formula, &SortedMap::new())
+            .ok()?;
         program
             .evaluate(self.data, &mut Workspace::default())
             .ok()?

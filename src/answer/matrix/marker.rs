@@ -1,6 +1,5 @@
 //! Marks matrices entry by entry, as formulas or as numbers.
 
-use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use super::{Setup, Written, slip};
@@ -12,6 +11,7 @@ use crate::answer::{
 };
 use crate::expr::{Expr, Value};
 use crate::math::Math;
+use crate::numerics::SortedMap;
 use crate::response::{Listed, Manner, Passage, Wanted};
 use crate::unit::{Decimal, Unit};
 
@@ -39,7 +39,7 @@ impl Prepared {
             return Marking::unreadable(Why::EntriesAsNumbers);
         };
         let (keys, points) = formulas;
-        let Some(typed) = setup.compile(entries, &BTreeMap::new()) else {
+        let Some(typed) = setup.compile(entries, &SortedMap::new()) else {
             return Marking::unreadable(Why::IncomparableEntries);
         };
         let compare = |keys: &[Comparable]| -> Vec<Comparison> {

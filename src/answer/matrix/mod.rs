@@ -17,7 +17,6 @@
 mod marker;
 mod slip;
 
-use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use self::marker::{Mistake, Prepared};
@@ -30,6 +29,7 @@ use super::{
 };
 use crate::expr::{Expr, Field, Form, Name, Shape};
 use crate::math::Math;
+use crate::numerics::SortedMap;
 use crate::quantity::{Absent, NodeId};
 use crate::response::Lexicon;
 use crate::source::{Table, Value as Data};
@@ -170,7 +170,7 @@ impl Setup {
     fn compile(
         &self,
         entries: &[Expr],
-        replaced: &BTreeMap<Name, Expr>,
+        replaced: &SortedMap<Name, Expr>,
     ) -> Option<Vec<Comparable>> {
         let compile = |entry: &Expr| Comparable::of(&self.meaning, entry, replaced).ok();
         entries.iter().map(compile).collect()
@@ -261,7 +261,7 @@ impl Answer for Matrix {
                 .half_width(*number, spread, self.figures, evaluation)
         });
         let halves = halves.collect();
-        let none = BTreeMap::new();
+        let none = SortedMap::new();
         let entries = symbolic::entries(&setup.expr, setup.shape());
         let own = context.standing.get(&Name::new(graph.label(self.key)));
         let formulas = match own {

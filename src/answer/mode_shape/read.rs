@@ -1,7 +1,5 @@
 //! Reads shapes: vectors by rows or by columns, with a unit or in letters.
 
-use std::collections::BTreeMap;
-
 use super::marker::{Prepared, typeset};
 use super::span::vectors;
 use super::{AskedScale, Setup};
@@ -9,6 +7,7 @@ use crate::answer::matrix::Written;
 use crate::answer::{Answered, Reading, Unreadable, Why};
 use crate::expr::{Expr, Workspace};
 use crate::math::Math;
+use crate::numerics::SortedMap;
 use crate::response::{Listed, Passage, Wanted};
 use crate::unit::Unit;
 
@@ -140,7 +139,7 @@ fn reading(key: &Prepared, entries: &[Expr], unit: Option<&Unit>, si: Vec<f64>) 
 fn values(key: &Prepared, entries: &[Expr]) -> Option<Vec<f64>> {
     let mut room = Workspace::default();
     let number = |entry: &Expr| {
-        let program = key.setup.meaning.compile(entry, &BTreeMap::new()).ok()?;
+        let program = key.setup.meaning.compile(entry, &SortedMap::new()).ok()?;
         program.evaluate(&key.data[..], &mut room).ok()?.as_real()
     };
     entries.iter().map(number).collect()

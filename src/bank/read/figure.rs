@@ -1,7 +1,5 @@
 //! The figure of an item.
 
-use std::collections::BTreeMap;
-
 use super::{ItemReader, passages};
 use crate::answer::Known;
 use crate::bank::template::QuantityInfo;
@@ -10,6 +8,7 @@ use crate::expr::{Expr, Name, Notation, Scope, Symbol};
 use crate::figure::{Acting, Figure, Move, Subject};
 use crate::math::{Math, symbol};
 use crate::mechanics::Model;
+use crate::numerics::SortedMap;
 use crate::quantity::{Graph, NodeId};
 use crate::source::Table;
 use crate::unit::Dimension;
@@ -17,7 +16,7 @@ use crate::unit::Dimension;
 /// The names of an item as its figure and its plots see them.
 pub(crate) struct ItemNames<'a> {
     graph: &'a Graph,
-    quantities: &'a BTreeMap<NodeId, QuantityInfo>,
+    quantities: &'a SortedMap<NodeId, QuantityInfo>,
     free: &'a [Known],
 }
 

@@ -14,7 +14,7 @@ mod plots;
 mod quantities;
 mod texts;
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeMap;
 use std::sync::Arc;
 
 pub use error::ItemError;
@@ -30,6 +30,7 @@ use crate::answer::Known;
 use crate::diagnostic::{Diagnose, Finding};
 use crate::expr::{Expr, Field, Name};
 use crate::math::{Math, symbol};
+use crate::numerics::{SortedMap, SortedSet};
 use crate::quantity::{Graph, NodeId};
 use crate::source::{Problems, Source, Span, Table, Text, Value};
 use crate::unit::{self, Unit};
@@ -42,9 +43,9 @@ struct ItemReader<'s> {
     findings: Vec<Finding>,
     graph: Graph,
     parameters: Vec<Parameter>,
-    quantities: BTreeMap<NodeId, QuantityInfo>,
+    quantities: SortedMap<NodeId, QuantityInfo>,
     digits: u8,
-    plots: BTreeSet<String>,
+    plots: SortedSet<String>,
     has_figure: bool,
     /// Whether the figure has free-body diagrams.
     has_free: bool,
@@ -55,13 +56,13 @@ struct ItemReader<'s> {
     /// What the parts that were read ask for.
     asked: Vec<NodeId>,
     /// The names that they and the part that is being read write in their keys.
-    introduced: BTreeSet<String>,
+    introduced: SortedSet<String>,
     /// What each draw has to meet, in the order of the file.
     constraints: Vec<NodeId>,
     /// The part that is being read.
     part: String,
     /// Where the identities stand that parts had.
-    was: BTreeMap<String, Span>,
+    was: SortedMap<String, Span>,
 }
 
 /// An item file, or what a compiled item has of it.
@@ -102,7 +103,7 @@ pub(crate) fn item(
         .map(|problem| Finding::of(problem, source))
         .collect();
     findings.append(&mut reader.findings);
-    Finding::sort(&mut findings);
+    crate::numerics::sort_by(&mut findings, Finding::order);
     let is_sound = !findings
         .iter()
         .any(|finding| finding.severity == crate::diagnostic::Severity::Error);
@@ -120,18 +121,18 @@ impl<'s> ItemReader<'s> {
             findings: Vec::new(),
             graph: Graph::new(),
             parameters: Vec::new(),
-            quantities: BTreeMap::new(),
+            quantities: SortedMap::new(),
             digits: 3,
-            plots: BTreeSet::new(),
+            plots: SortedSet::new(),
             has_figure: false,
             has_free: false,
             moves: false,
             free: Vec::new(),
             asked: Vec::new(),
-            introduced: BTreeSet::new(),
+            introduced: SortedSet::new(),
             constraints: Vec::new(),
             part: String::new(),
-            was: BTreeMap::new(),
+            was: SortedMap::new(),
         }
     }
 
@@ -143,8 +144,11 @@ impl<'s> ItemReader<'s> {
         }
         self.has_figure = table.has("figure");
         if let Some(plots) = table.table("plots") {
-            self.plots =
-                crate::numerics::gather(plots.entries().iter().map(|entry| entry.key.clone()));
+            self.plots = plots
+                .entries()
+                .iter()
+                .map(|entry| entry.key.clone())
+                .collect();
         }
         quantities::data(self, table);
         quantities::read(self, table);
@@ -182,11 +186,11 @@ impl<'s> ItemReader<'s> {
             constraints,
             graph: std::mem::take(&mut self.graph),
             quantities: std::mem::take(&mut self.quantities),
-            symbols: crate::numerics::gather(
-                self.free
-                    .iter()
-                    .map(|known| (known.name.clone(), known.symbol.clone())),
-            ),
+            symbols: self
+                .free
+                .iter()
+                .map(|known| (known.name.clone(), known.symbol.clone()))
+                .collect(),
             plots,
             statement: statement?,
             solution: solution.unwrap_or_default(),

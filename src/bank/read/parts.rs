@@ -1,6 +1,5 @@
 //! What is asked, and what is known to go wrong.
 
-use std::collections::BTreeSet;
 use std::sync::{Arc, OnceLock};
 
 use super::{ItemError, ItemReader, found_in, passages};
@@ -14,7 +13,7 @@ use crate::diagnostic::Diagnose;
 use crate::document::Document;
 use crate::expr::{Equation, Expr, Kind, Name};
 use crate::mechanics::{Model, Quantity};
-use crate::numerics::Rational;
+use crate::numerics::{Rational, SortedSet};
 use crate::quantity::{Graph, NodeId};
 use crate::source::{Data, Span, Table, Text};
 use crate::unit::Unit;
@@ -61,7 +60,7 @@ fn part_twice(reader: &mut ItemReader<'_>, id: &str, span: Span) {
 
 /// An identity that a part had is that of no other.
 fn old_ids(reader: &mut ItemReader<'_>, parts: &[Part]) {
-    let mut old: BTreeSet<&str> = BTreeSet::new();
+    let mut old: SortedSet<&str> = SortedSet::new();
     let all = parts.iter().flat_map(|part| &part.was);
     for was in all {
         let is_taken = parts.iter().any(|part| part.id == *was || part.is_in(was));

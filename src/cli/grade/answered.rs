@@ -82,7 +82,12 @@ pub(crate) fn parts<'q>(
             part: entry.letter.clone(),
         };
         let given = marker.responses.given(&at);
-        let alike = AlikeAnswers::new(template.id.as_str(), &entry.id, given.text);
+        let ruling = if marker.decisions.is_empty() {
+            Ruling::default()
+        } else {
+            let alike = AlikeAnswers::new(template.id.as_str(), &entry.id, given.text);
+            marker.decisions.ruling(&at, &alike)
+        };
         Answered {
             entry,
             place,
@@ -90,7 +95,7 @@ pub(crate) fn parts<'q>(
             is_by_hand: template.parts[place].answer.kind().is_by_hand(),
             given: given.text,
             is_open: given.is_open,
-            ruling: marker.decisions.ruling(&at, &alike),
+            ruling,
             line: given.line,
         }
     });

@@ -63,11 +63,16 @@ impl<'c> Items<'c> {
 
     /// An item of this name, as it was handed out if that is known: for its title and the texts of its mistakes.
     pub(crate) fn named(&self, id: &str) -> Option<&Template> {
-        let mut kept = self.kept.iter().filter_map(|items| items.find(id));
+        let bank = self.bank.find(id);
+        let mut kept = self.kept.iter().filter_map(|items| {
+            // What the bank has as it was is at hand.
+            let same = bank.filter(|own| items.revision(id) == Some(own.revision));
+            same.or_else(|| items.find(id))
+        });
         if self.prefers_bank {
-            return self.bank.find(id).or_else(|| kept.next());
+            return bank.or_else(|| kept.next());
         }
-        kept.next().or_else(|| self.bank.find(id))
+        kept.next().or(bank)
     }
 
     /// Whether the bank has another text of an item; questions of a blueprint's own it never had.

@@ -179,11 +179,12 @@ impl Marker<'_> {
             asked: &asked,
             other_form: self.other_form,
         };
-        let grade = Grade::mark_on(&solution, &sheet, responses);
-        let parts = answered.iter();
-        Ok(parts
-            .map(|part| MarkedPart::of(self, &solution, question.number, part, &grade))
-            .collect())
+        let mut grade = Grade::mark_on(&solution, &sheet, responses);
+        let parts = answered.iter().map(|part| {
+            let marking = grade.take(part.place).expect("its response was marked");
+            MarkedPart::of(self, &solution, question.number, part, marking)
+        });
+        Ok(parts.collect())
     }
 
     /// What a question came to: not below zero, unless that is asked for.

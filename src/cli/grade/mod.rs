@@ -481,8 +481,10 @@ impl GradeJob<'_> {
                 part: part.letter.clone(),
             };
             self.responses.claim(&place);
-            self.decisions
-                .claim(&place, &AlikeAnswers::of(part), part.max.0);
+            if !self.decisions.is_empty() {
+                let alike = AlikeAnswers::of(part);
+                self.decisions.claim(&place, &alike, part.max.0);
+            }
         }
         Ok(())
     }

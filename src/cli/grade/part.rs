@@ -1,7 +1,7 @@
 //! Marking one part of a sheet, by its answer and by what was decided about it.
 
 use vibank::answer::{AnswerKind, Credit, Criterion, Marking, Verdict};
-use vibank::grade::{self, Comment, Grade, PartFeedback, rounded};
+use vibank::grade::{self, Comment, PartFeedback, rounded};
 use vibank::message::{ByHand, Language};
 use vibank::numerics::Rational;
 use vibank::solution::Solution;
@@ -47,9 +47,8 @@ impl MarkedPart {
         solution: &Solution<'_>,
         number: usize,
         part: &Answered<'_>,
-        grade: &Grade,
+        marking: Marking,
     ) -> Self {
-        let marking = grade.part(part.place).expect("its response was marked");
         let answer = &solution.template().parts[part.place].answer;
         let mut standing = if part.is_by_hand {
             PartStanding::by_hand(marker, number, part, answer.rubric())
@@ -57,13 +56,13 @@ impl MarkedPart {
             PartStanding {
                 verdict: marking.verdict,
                 credit: marking.credit.share(),
-                points: grade::of_marking(marking, part.max),
+                points: grade::of_marking(&marking, part.max),
                 reasons: marking
                     .reasons()
                     .iter()
                     .map(|reason| reason.code())
                     .collect(),
-                remarks: grade::remarks(solution, part.place, marking, marker.language),
+                remarks: grade::remarks(solution, part.place, &marking, marker.language),
                 why: None,
                 carried_out: part.ruling.numbers.clone(),
             }
@@ -88,29 +87,28 @@ impl MarkedPart {
             && !part.is_undecided()
             && standing.points >= Rational::ZERO;
         let other = matches!(standing.verdict, Verdict::Wrong)
-            .then(|| grade::pattern(solution, part.place, marking))
+            .then(|| grade::pattern(solution, part.place, &marking))
             .flatten();
-        Self {
-            feedback: PartFeedback {
-                letter: part.entry.letter.clone(),
-                verdict: standing.verdict,
-                points: standing.points,
-                max: part.max,
-                // Points are no answer of the student.
-                response: if part.is_by_hand && marker.takes_points {
-                    String::new()
-                } else {
-                    part.given.to_owned()
-                },
-                reading: marking.reading.as_ref().map(|reading| reading.math.clone()),
-                remarks: if is_plain {
-                    Vec::new()
-                } else {
-                    standing.remarks.clone()
-                },
+        let outcome = standing.outcome(solution, number, part, &marking, other);
+        let feedback = PartFeedback {
+            letter: part.entry.letter.clone(),
+            verdict: standing.verdict,
+            points: standing.points,
+            max: part.max,
+            // Points are no answer of the student.
+            response: if part.is_by_hand && marker.takes_points {
+                String::new()
+            } else {
+                part.given.to_owned()
             },
-            outcome: standing.outcome(solution, number, part, marking, other),
-        }
+            reading: marking.reading.map(|reading| reading.math),
+            remarks: if is_plain {
+                Vec::new()
+            } else {
+                standing.remarks
+            },
+        };
+        Self { outcome, feedback }
     }
 
     /// Changes what the part is worth.
@@ -291,8 +289,9 @@ impl PartStanding {
         }];
     }
 
+    /// Takes what tables show; the remarks stay.
     fn outcome(
-        self,
+        &mut self,
         solution: &Solution<'_>,
         number: usize,
         part: &Answered<'_>,
@@ -314,12 +313,12 @@ impl PartStanding {
             credit: Fraction(self.credit),
             points: Fraction(self.points),
             max: Fraction(part.max),
-            reasons: self.reasons,
-            feedback: self.why.unwrap_or_else(|| plain.join(" ")),
+            reasons: std::mem::take(&mut self.reasons),
+            feedback: self.why.take().unwrap_or_else(|| plain.join(" ")),
             by_hand: part.is_by_hand,
             other,
             before: None,
-            decisions: self.carried_out,
+            decisions: std::mem::take(&mut self.carried_out),
         }
     }
 }

@@ -1,14 +1,12 @@
 //! What the answers to earlier parts stand for.
 
-use std::collections::BTreeMap;
-
 use super::{driven, guard, inside, oscillator, related, shapes, system};
 use crate::answer::{AnswerKind, Answered, Marking, Reading, Reason, Verdict};
 use crate::expr::{
     Equation, Expr, Field, Name, Precise, Program, Shape, Slots, Substitution, Value, Workspace,
 };
 use crate::math::Math;
-use crate::numerics::ascending;
+use crate::numerics::{SortedMap, ascending};
 use crate::quantity::{Evaluation, Graph, NodeId};
 use crate::solution::Solution;
 
@@ -40,7 +38,7 @@ pub(crate) enum Source {
 /// What was answered to the earlier parts, by quantity.
 pub(crate) struct Answers {
     /// Right answers, with the right values.
-    right: BTreeMap<NodeId, Value>,
+    right: SortedMap<NodeId, Value>,
     own: Vec<Own>,
 }
 
@@ -53,7 +51,7 @@ impl Answers {
         later: usize,
     ) -> Self {
         let mut answers = Self {
-            right: BTreeMap::new(),
+            right: SortedMap::new(),
             own: Vec::new(),
         };
         let (mut equations, mut are_right) = (Vec::new(), true);
@@ -180,11 +178,11 @@ impl Answers {
     }
 
     /// The student's own formulas of some quantities.
-    pub(crate) fn formulas(own: &[&Own]) -> BTreeMap<Name, Expr> {
+    pub(crate) fn formulas(own: &[&Own]) -> SortedMap<Name, Expr> {
         let formulas = own
             .iter()
             .filter_map(|own| Some((own.name.clone(), own.formula.clone()?)));
-        crate::numerics::gather(formulas)
+        formulas.collect()
     }
 
     fn add_right(&mut self, solution: &Solution<'_>, node: NodeId) {

@@ -20,12 +20,11 @@ mod related;
 mod shapes;
 mod system;
 
-use std::collections::BTreeMap;
-
 use super::mark_typed;
 use super::typed::TypedResponse;
 use crate::answer::{KeyValue, Marking, Reason, Remark, Verdict};
 use crate::math::Math;
+use crate::numerics::SortedMap;
 use crate::solution::Solution;
 
 use self::answers::{Answers, Own, Source};
@@ -118,7 +117,7 @@ fn again(
     own: &[&Own],
     first: &Marking,
 ) -> Option<Marking> {
-    let right = solution.following(answers.right_values(solution, own), BTreeMap::new());
+    let right = solution.following(answers.right_values(solution, own), SortedMap::new());
     let other = solution.following(answers.values(own), Answers::formulas(own));
     let keys = solution.template().parts[place].answer.keys();
     if !guard::is_fair(&right, &other, &keys, own) {

@@ -19,11 +19,10 @@ pub use statics::Letters;
 pub(crate) use statics::statics;
 pub use ways::Way;
 
-use std::collections::BTreeSet;
-
 use super::kinematics::Kinematics;
 use super::{Model, Unavailable};
 use crate::expr::{Expr, Kind, Name, Normal, Operator, Order, SymbolicError, Variable};
+use crate::numerics::SortedSet;
 
 /// A step of a derivation: what it does, and its lines.
 #[derive(Clone, Debug, PartialEq)]
@@ -142,7 +141,7 @@ struct Deriver<'m> {
     model: &'m Model,
     kinematics: Kinematics,
     /// Coordinates and kinematic names.
-    moving: BTreeSet<Name>,
+    moving: SortedSet<Name>,
     /// The order of products with kinematic names as what moves.
     order: Order,
 }
@@ -183,7 +182,7 @@ impl<'m> Deriver<'m> {
         &self,
         formulas: impl IntoIterator<Item = &'e Expr>,
     ) -> Result<Option<Step>, Unavailable> {
-        let mut used = BTreeSet::new();
+        let mut used = SortedSet::new();
         for formula in formulas {
             used.extend(formula.names().free.into_iter().map(|own| own.name));
         }

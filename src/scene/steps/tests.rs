@@ -1,13 +1,12 @@
 //! Printed derivations are read back: their lines follow from each other, and end in what the model has.
 
-use std::collections::BTreeSet;
-
 use super::*;
 use crate::answer::{AnswerKind, Verdict};
 use crate::bank::{Catalogue, Template, embedded};
 use crate::expr::{Normal, Substitution};
 use crate::instance::Instance;
 use crate::mechanics::Reason;
+use crate::numerics::SortedSet;
 use crate::response::{Folded, Lexicon, Manner, Passage};
 use crate::scene::Data;
 use crate::seed::Seed;
@@ -34,9 +33,8 @@ struct Reader<'s, 'a, 't> {
 impl<'s, 'a, 't> Reader<'s, 'a, 't> {
     fn of(scene: &'s Scene<'a, 't>, model: &crate::mechanics::Model, steps: &[Step]) -> Self {
         let notation = Symbols(scene.solution());
-        let mut names = BTreeSet::new();
-        let mut moving: BTreeSet<Name> =
-            crate::numerics::gather(model.coordinates().iter().cloned());
+        let mut names = SortedSet::new();
+        let mut moving: SortedSet<Name> = model.coordinates().iter().cloned().collect();
         for line in steps.iter().flat_map(|step| &step.lines) {
             for side in &line.sides {
                 let formulas: Vec<&Expr> = match side {

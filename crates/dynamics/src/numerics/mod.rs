@@ -11,7 +11,7 @@
 //! - [`ExactNumber`], [`sign_of_sum`]: numbers as they were written, compared without rounding.
 //! - [`Complex`]: complex numbers.
 //! - [`agm`], [`carlson_rf`], [`JacobiFunctions`]: elliptic integrals and functions.
-//! - [`ascending`], [`sort_by`]: the order of numbers, and of anything else.
+//! - [`ascending`], [`sort_by`]: the order of numbers, and of anything else; [`SortedMap`], [`SortedSet`]: few entries in order.
 //! - `pencil`: eigenvalues of small matrices that need not be symmetric.
 //! - [`bracketed_root`], [`integral`]: a zero in an interval, the area under a curve, with their error bounds.
 //!
@@ -38,6 +38,7 @@ pub(crate) mod product;
 mod quadrature;
 mod rational;
 mod roots;
+mod sorted;
 pub(crate) mod symmetric;
 pub(crate) mod tridiagonal;
 
@@ -56,8 +57,9 @@ pub(crate) use exact::ordinary_product;
 pub use exact::{diff_of_products, fast_two_sum, sum_of_products, two_prod, two_sum};
 pub use exact_number::{ExactNumber, sign_of_sum};
 pub use long::Long;
-pub use order::{ascending, gather, sort_by, sort_by_key};
+pub use order::{ascending, sort_by, sort_by_key};
 pub use pencil::{EigenPair, pencil};
 pub use quadrature::{Integral, IntegralError, integral};
 pub use rational::Rational;
 pub use roots::{RootError, bracketed_root};
+pub use sorted::{SortedMap, SortedSet};

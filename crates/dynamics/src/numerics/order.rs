@@ -64,20 +64,6 @@ pub fn sort_by_key<T, K: Ord>(items: &mut [T], key: impl Fn(&T) -> K) {
     sort_by(items, |a, b| key(a).cmp(&key(b)));
 }
 
-/// A set or a map of what comes, one after the other: `collect` sorts a list of it first.
-///
-/// ```
-/// use std::collections::BTreeSet;
-/// use vibank_dynamics::numerics::gather;
-/// let letters: BTreeSet<char> = gather("banana".chars());
-/// assert_eq!(letters.len(), 3);
-/// ```
-pub fn gather<C: Default + Extend<T>, T>(items: impl IntoIterator<Item = T>) -> C {
-    let mut all = C::default();
-    all.extend(items);
-    all
-}
-
 /// The places up to a count in the order of a comparison, equal ones as they came.
 fn order(count: usize, compare: &dyn Fn(usize, usize) -> Ordering) -> Vec<usize> {
     let mut order: Vec<usize> = (0..count).collect();

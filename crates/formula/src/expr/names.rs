@@ -1,10 +1,10 @@
 //! Names, paths into models, and which of them a formula uses.
 
-use std::collections::BTreeSet;
 use std::fmt;
 use std::sync::Arc;
 
 use super::{Expr, Kind, Variable};
+use vibank_dynamics::numerics::SortedSet;
 
 /// An identifier, `[A-Za-z][A-Za-z0-9_]*`; cheap to clone.
 #[derive(Clone, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -126,8 +126,8 @@ impl Names {
 struct Collector<'e> {
     /// Names with the order of the derivative, as often as they stand.
     free: Vec<(&'e Name, u8)>,
-    paths: BTreeSet<&'e Path>,
-    bound: BTreeSet<&'e Name>,
+    paths: SortedSet<&'e Path>,
+    bound: SortedSet<&'e Name>,
     /// Names bound around the place.
     local: Vec<&'e Name>,
 }
@@ -166,7 +166,7 @@ impl<'e> Collector<'e> {
     fn within(&mut self, names: impl IntoIterator<Item = &'e Name>, inner: &'e Expr) {
         let outside = self.local.len();
         self.local.extend(names);
-        self.bound.extend(&self.local[outside..]);
+        self.bound.extend(self.local[outside..].iter().copied());
         self.visit(inner, 0);
         self.local.truncate(outside);
     }

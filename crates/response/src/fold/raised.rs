@@ -32,6 +32,9 @@ const RAISED: &[(char, char)] = &[
 
 /// What a raised sign is on the line.
 fn lowered(char: char) -> Option<char> {
+    if char.is_ascii() {
+        return None;
+    }
     let other = || RAISED.iter().find(|(raised, _)| *raised == char);
     raised(char).or_else(|| other().map(|(_, plain)| *plain))
 }
@@ -40,10 +43,11 @@ impl Folder<'_> {
     /// The length of an exponent in raised signs that is more than an integer, and how it is written on the line.
     pub(crate) fn raised(&self) -> Option<(usize, String)> {
         let rest = self.rest();
+        rest.chars().next().and_then(lowered)?;
         let before = self.typed[..self.at].chars().next_back();
-        let has_base = before.is_some_and(|last| last.is_alphanumeric() || ")]}".contains(last));
-        let first = rest.chars().next().filter(|_| has_base)?;
-        lowered(first)?;
+        if !before.is_some_and(|last| last.is_alphanumeric() || ")]}".contains(last)) {
+            return None;
+        }
         let (mut plain, mut length, mut is_more) = (String::new(), 0, false);
         while let Some(char) = rest[length..].chars().next() {
             let behind = rest[length + char.len_utf8()..].chars().next();

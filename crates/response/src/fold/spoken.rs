@@ -18,13 +18,13 @@ impl Folder<'_> {
     /// A space and the word for the rate of the letter before it, ` double dot`.
     fn spoken_rate(&self) -> Option<(usize, &'static str)> {
         let words = self.rest().strip_prefix(' ')?;
-        let before = &self.typed[self.answer.start..self.at];
-        let is_behind_name =
-            before.ends_with(|last: char| last.is_alphanumeric() || "_}".contains(last));
-        let found = RATES_IN_WORDS
+        let (behind, plain) = RATES_IN_WORDS
             .iter()
-            .find_map(|(own, plain)| Some((behind_words(words, own, str::eq)?, *plain)));
-        let (behind, plain) = found.filter(|_| is_behind_name)?;
+            .find_map(|(own, plain)| Some((behind_words(words, own, str::eq)?, *plain)))?;
+        let before = &self.typed[self.answer.start..self.at];
+        if !before.ends_with(|last: char| last.is_alphanumeric() || "_}".contains(last)) {
+            return None;
+        }
         // `a dot b` is a product.
         let next = behind.trim_start_matches(' ');
         let is_product = plain == "'" && next.starts_with(|next: char| next.is_alphanumeric());

@@ -3,7 +3,7 @@
 use super::Folder;
 use super::programs::holds_list;
 use crate::signs::TURNS;
-use crate::surroundings::behind_words;
+use crate::surroundings::{begins, behind_words};
 use crate::words::{
     Between, HALF_PI, LETTERS, LISTS, NUMBERS, PER_MILLE, PERCENT, ROOTED_UNITS, ROOTS, VERBS,
     WORDS,
@@ -23,10 +23,7 @@ impl Folder<'_> {
             let is_same = |head: &str, word: &str| {
                 head == word || self.is_shouted && head.eq_ignore_ascii_case(word)
             };
-            let mut likely = WORDS
-                .iter()
-                .filter(|(words, _)| self.is_shouted || begin_alike(rest, words));
-            likely.find_map(|(words, plain)| {
+            WORDS.iter().find_map(|(words, plain)| {
                 let behind = behind_words(rest, words, is_same)?;
                 let may_end = matches!(*plain, PERCENT | PER_MILLE | "^2" | "^3" | HALF_PI);
                 let ends = behind.starts_with(' ')
@@ -35,8 +32,7 @@ impl Folder<'_> {
             })
         };
         let compares = |verb: &str| {
-            let likely = begin_alike(rest, verb).then_some(rest)?;
-            let behind = behind_words(likely, verb, str::eq)?;
+            let behind = behind_words(rest, verb, str::eq)?;
             let compared = behind.strip_prefix(' ')?.trim_start_matches(' ');
             let (length, plain) = of_words(compared)?;
             let is_sign = matches!(plain, "<" | ">" | "≤" | "≥");
@@ -132,15 +128,4 @@ pub(crate) fn begins_words(own: &str) -> bool {
         && own.bytes().all(is_word)
         && (WORDS.iter().any(|(words, _)| is_begun(words))
             || VERBS.iter().any(|verb| is_begun(verb)))
-}
-
-/// Whether a text begins with a word.
-fn begins(text: &str, word: &str) -> bool {
-    begin_alike(text, word) && text.starts_with(word)
-}
-
-/// Whether two texts have the same first byte.
-// Of a table, most words differ in it, and a comparison of texts is a call.
-fn begin_alike(text: &str, word: &str) -> bool {
-    text.as_bytes().first() == word.as_bytes().first()
 }

@@ -1,7 +1,7 @@
 //! Words, remarks and reasons after an answer.
 
 use super::before::is_of_motion;
-use super::behind_word;
+use super::{behind_word, split_at_last};
 use crate::counts::in_words;
 use crate::letters::{combining, greek_word};
 use crate::signs::{is_apostrophe, is_minus};
@@ -15,9 +15,17 @@ use vibank_source::lower;
 pub(crate) fn trail(text: &str) -> Option<usize> {
     // The sentence may end after them.
     let ended = text.strip_suffix('.').map_or(text, str::trim_end);
-    let of_words = |text: &'_ str| TRAILS.iter().find(|trail| text.ends_with(**trail));
+    let of_words = |text: &'_ str| {
+        // Of the table, most rows end otherwise.
+        let last = text.as_bytes().last();
+        let mut likely = TRAILS
+            .iter()
+            .filter(|trail| trail.as_bytes().last() == last);
+        likely.find(|trail| text.ends_with(**trail))
+    };
     let found = of_words(text).map(|words| (text, words));
-    if let Some((own, words)) = found.or_else(|| Some((ended, of_words(ended)?))) {
+    let at_end = || of_words(ended).map(|words| (ended, words));
+    if let Some((own, words)) = found.or_else(|| (ended.len() < text.len()).then(at_end)?) {
         let before = &own[..own.len() - words.len()];
         let is_apart = before.ends_with([' ', ')', ']']) || words.starts_with(',');
         return is_apart.then(|| text.len() - before.len());
@@ -198,8 +206,8 @@ fn is_spoken_sign(word: &str) -> bool {
     const SIGNS: [&str; 6] = ["+", "-", "*", "/", "^2", "^3"];
     const OPERATIONS: [&str; 5] = ["double", "dot", "prime", "square", "root"];
     let word = lower(word);
-    let mut signs = WORDS.iter().filter(|(_, plain)| SIGNS.contains(plain));
-    OPERATIONS.contains(&word.as_str()) || signs.any(|(own, _)| *own == word)
+    let mut signs = WORDS.iter().filter(|(own, _)| *own == word);
+    OPERATIONS.contains(&word.as_str()) || signs.any(|(_, plain)| SIGNS.contains(plain))
 }
 
 /// The length of what says for which body an equation of motion holds: `… = 0 (block 1)`, `… = 0 for cart 1`,
@@ -207,10 +215,13 @@ fn is_spoken_sign(word: &str) -> bool {
 fn body(text: &str) -> Option<usize> {
     /// A shorter word may be a letter of a formula.
     const MIN_LETTERS: usize = 4;
-    let in_brackets = || text.strip_suffix(')')?.rsplit_once(" (");
+    if !text.contains('=') {
+        return None;
+    }
+    let in_brackets = || split_at_last(text.strip_suffix(')')?, " (");
     let (before, said) = in_brackets()
-        .or_else(|| text.rsplit_once(" where "))
-        .or_else(|| text.rsplit_once(" for "))?;
+        .or_else(|| split_at_last(text, " where "))
+        .or_else(|| split_at_last(text, " for "))?;
     let is_sign = |char: char| "=+*/^()[]{}\\'".contains(char);
     let is_long = |word: &str| {
         let word = word.trim_end_matches([',', ';', '.']);
@@ -238,10 +249,10 @@ fn remark(text: &str) -> Option<usize> {
     let (before, said) = in_brackets('(', ')')
         .or_else(|| in_brackets('[', ']'))
         .or_else(|| behind_list(text))
-        .or_else(|| text.rsplit_once(" → "))
-        .or_else(|| text.rsplit_once(" -> "))
-        .or_else(|| text.rsplit_once(" so "))
-        .or_else(|| text.rsplit_once(", "))?;
+        .or_else(|| split_at_last(text, " → "))
+        .or_else(|| split_at_last(text, " -> "))
+        .or_else(|| split_at_last(text, " so "))
+        .or_else(|| split_at_last(text, ", "))?;
     let first = before.chars().next()?;
     let begins = first.is_ascii_digit() || "([{.".contains(first) || is_minus(first);
     let is_value = begins || before.contains('=') || in_words(before).is_some();
@@ -259,7 +270,7 @@ fn behind_list(text: &str) -> Option<(&str, &str)> {
 
 /// The length of what says to how many figures an answer is given: `to 3 s.f.`, `to 3 significant figures`.
 fn precision(text: &str) -> Option<usize> {
-    let (before, said) = text.rsplit_once(" to ")?;
+    let (before, said) = split_at_last(text, " to ")?;
     let mut words = said.split_whitespace();
     let is_number = words
         .next()

@@ -26,11 +26,7 @@ pub(crate) fn lead(text: &str) -> Option<usize> {
         return (is_lead && !behind.trim().is_empty()).then(|| text.len() - behind.len());
     }
     LEADS.iter().find_map(|lead| {
-        // Most answers begin with another letter than any of these words.
-        let is_it = lead.as_bytes()[0].eq_ignore_ascii_case(&bare.as_bytes()[0]);
-        let behind = is_it
-            .then(|| behind_words(bare, lead, str::eq_ignore_ascii_case))
-            .flatten()?;
+        let behind = behind_words(bare, lead, str::eq_ignore_ascii_case)?;
         let without_marks = |behind: &'_ str| {
             let marks: &[char] = if is_marked { &['*', '_'] } else { &[] };
             behind.trim_start_matches(marks).len()

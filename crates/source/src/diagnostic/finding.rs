@@ -1,5 +1,6 @@
 //! A finding, and the trait through which errors become one.
 
+use std::cmp::Ordering;
 use std::fmt;
 use std::sync::Arc;
 
@@ -150,12 +151,16 @@ impl Finding {
 
     /// Sorts findings by file and place, for reports.
     pub fn sort(findings: &mut [Self]) {
-        findings.sort_by(|a, b| {
-            (Arc::clone(&a.source.path), a.offset())
-                .cmp(&(Arc::clone(&b.source.path), b.offset()))
-                .then(b.severity.cmp(&a.severity))
-                .then_with(|| a.message.cmp(&b.message))
-        });
+        findings.sort_by(Self::order);
+    }
+
+    /// The order of findings in reports: by file and place, there the graver ones first.
+    pub fn order(&self, other: &Self) -> Ordering {
+        let place = |own: &Self| (Arc::clone(&own.source.path), own.offset());
+        let places = place(self).cmp(&place(other));
+        places
+            .then(other.severity.cmp(&self.severity))
+            .then_with(|| self.message.cmp(&other.message))
     }
 }
 

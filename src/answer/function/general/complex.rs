@@ -4,9 +4,8 @@
 //! numbers and are marked as such. Constants that are factors are complex then, each with a second constant as its
 //! imaginary part.
 
-use std::collections::BTreeMap;
-
 use crate::expr::{Constant, Expr, Function, Kind, Name, Operator};
+use crate::numerics::SortedMap;
 
 /// Nodes of all parts of a response. Motions of three coordinates have some hundred, in sums of products perhaps a
 /// thousand; each is derived twice and compiled, in some microseconds a node. A product of sums has each factor in it four
@@ -49,7 +48,7 @@ pub(crate) fn phases(expr: &Expr) -> Vec<Name> {
 impl Parts {
     /// The parts of a formula in which some names are complex, by the names of their imaginary parts; none where a
     /// function of a complex number has no such formula.
-    pub(crate) fn of(expr: &Expr, complex: &BTreeMap<Name, Name>) -> Option<Self> {
+    pub(crate) fn of(expr: &Expr, complex: &SortedMap<Name, Name>) -> Option<Self> {
         let part = |inner: &Expr| Self::of(inner, complex);
         let parts = match expr.kind() {
             Kind::Constant(Constant::ImaginaryUnit) => {

@@ -1,12 +1,10 @@
 //! What was typed as a general solution, made ready to be compared with the equations.
 
-use std::collections::BTreeMap;
-
 use super::Setup;
 use super::complex::{self, Parts};
 use crate::answer::{Unreadable, Why};
 use crate::expr::{Equation, Expr, Kind, Name, Program};
-use crate::numerics::Rational;
+use crate::numerics::{Rational, SortedMap};
 
 /// A typed solution as programs, by coordinate.
 pub(crate) struct TypedSolution {
@@ -40,12 +38,11 @@ impl TypedSolution {
         let names = own.iter().map(|place| &setup.constants[*place]);
         let free = (0..setup.constants.len()).filter(|place| !own.contains(place));
         let partners = free.map(|place| setup.constants[place].clone());
-        let complex: BTreeMap<Name, Name> = crate::numerics::gather(
-            names
-                .filter(|name| !phases.contains(name))
-                .cloned()
-                .zip(partners),
-        );
+        let complex: SortedMap<Name, Name> = names
+            .filter(|name| !phases.contains(name))
+            .cloned()
+            .zip(partners)
+            .collect();
         let parts: Vec<Parts> = typed
             .iter()
             .map(|formula| Parts::of(formula, &complex))
@@ -70,9 +67,8 @@ impl TypedSolution {
 
     fn of(setup: &Setup, typed: &[Expr]) -> Option<Self> {
         let coordinates = setup.coordinates.iter().cloned();
-        let replaced: BTreeMap<Name, Expr> =
-            crate::numerics::gather(coordinates.zip(typed.iter().cloned()));
-        let none = BTreeMap::new();
+        let replaced: SortedMap<Name, Expr> = coordinates.zip(typed.iter().cloned()).collect();
+        let none = SortedMap::new();
         let mut rounding = 0.0_f64;
         for expr in typed {
             expr.walk(&mut |node| {

@@ -181,9 +181,6 @@ impl Decisions {
     /// What holds for a part: what settles it for its own sheet, else for all with these words, else for all; and what
     /// holds beside that.
     pub(crate) fn ruling(&self, place: &Place, alike: &AlikeAnswers) -> Ruling<'_> {
-        if self.all.is_empty() {
-            return Ruling::default();
-        }
         let settled = self.settling(place, alike);
         let mut ruling = Ruling {
             settled: settled.map(|number| &self.all[number]),
@@ -257,9 +254,6 @@ impl Decisions {
 
     /// Notes that a part was handed out, with this many points at most.
     pub(crate) fn claim(&mut self, place: &Place, alike: &AlikeAnswers, most: Rational) {
-        if self.all.is_empty() {
-            return;
-        }
         let mut found: Vec<usize> = [
             self.places.get(place),
             self.alike.get(alike),

@@ -1,7 +1,5 @@
 //! From a formula to the steps of a program.
 
-use std::collections::HashMap;
-
 use super::array::Array;
 use super::assembler::Assembler;
 use super::derive;
@@ -13,7 +11,7 @@ use crate::expr::{
     Constant, Expr, Field, Form, Function, Kind, Name, Operator, Path, Precise, Relation, Shape,
     Variable,
 };
-use vibank_dynamics::numerics::{Dd, Rational};
+use vibank_dynamics::numerics::{Dd, Rational, SortedMap};
 use vibank_source::Span;
 
 /// Most formulas inside one another, substituted names included.
@@ -41,7 +39,7 @@ pub(crate) struct Compiler<'a> {
     /// Keeps the nodes alive that `known` speaks of.
     kept: Vec<Expr>,
     /// Names made up for what derivatives hold constant or leave to the binder.
-    pub(crate) aliases: HashMap<Name, Binding>,
+    pub(crate) aliases: SortedMap<Name, Binding>,
 }
 
 struct BoundName {
@@ -63,7 +61,7 @@ pub(crate) fn compile(expr: &Expr, binder: &dyn Binder) -> Result<Program> {
         depth: 0,
         expanding: 0,
         kept: Vec::new(),
-        aliases: HashMap::new(),
+        aliases: SortedMap::new(),
     };
     let value = compiler.array(expr)?;
     let form = value.form();

@@ -1,13 +1,12 @@
 //! Derivatives inside a program: names are substituted as far as they depend on the variable, then the formula is derived.
 
-use std::collections::BTreeSet;
-
 use super::compile::Compiler;
 use super::error::Result;
 use super::{Binding, CompileError};
 use crate::expr::{
     Expr, Kind, Name, Path, SymbolicError, Variable, differentiate, time_derivative,
 };
+use vibank_dynamics::numerics::SortedSet;
 
 /// Most nodes of a formula with its names substituted.
 const MAX_NODES: u32 = 50_000;
@@ -55,14 +54,14 @@ fn binding(compiler: &Compiler<'_>, variable: &Variable, by: &Name) -> Option<Bi
 }
 
 /// The names of a formula that move with time without being written in it.
-fn moving(compiler: &Compiler<'_>, expr: &Expr) -> BTreeSet<Name> {
+fn moving(compiler: &Compiler<'_>, expr: &Expr) -> SortedSet<Name> {
     let moves = |name: &Name| {
         let rate = compiler
             .binder
             .name(&Variable::of(name, 1), &compiler.local_names);
         rate.is_some() || matches!(time_binding(compiler, name), Some(Binding::Motion(_)))
     };
-    let mut moving = BTreeSet::new();
+    let mut moving = SortedSet::new();
     expr.walk(&mut |node| {
         if let Kind::Name(name) = node.kind()
             && !moving.contains(name)

@@ -1,10 +1,9 @@
 //! Partial and total derivatives.
 
-use std::collections::BTreeSet;
-
 use super::calls::{choice, of_many_arguments, of_one_argument, of_two_arguments};
 use super::{SymbolicError, bounded};
 use crate::expr::{Constant, Expr, Function, Kind, Name, Operator};
+use vibank_dynamics::numerics::SortedSet;
 
 /// A name or one of its time derivatives, as the independent variable of a partial derivative.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -82,7 +81,7 @@ pub fn differentiate(expr: &Expr, by: impl Into<Variable>) -> Result<Expr, Symbo
 /// # Errors
 ///
 /// As for [`differentiate`].
-pub fn time_derivative(expr: &Expr, moving: &BTreeSet<Name>) -> Result<Expr, SymbolicError> {
+pub fn time_derivative(expr: &Expr, moving: &SortedSet<Name>) -> Result<Expr, SymbolicError> {
     Rules {
         leaves: Leaves::Time(moving),
         bound: Vec::new(),
@@ -93,7 +92,7 @@ pub fn time_derivative(expr: &Expr, moving: &BTreeSet<Name>) -> Result<Expr, Sym
 /// What the derivative of a name is.
 enum Leaves<'a> {
     Partial(Variable),
-    Time(&'a BTreeSet<Name>),
+    Time(&'a SortedSet<Name>),
 }
 
 impl Leaves<'_> {
@@ -392,7 +391,7 @@ mod tests {
 
     #[test]
     fn time_moves_coordinates_and_explicit_time() {
-        let moving = BTreeSet::from([Name::new("q")]);
+        let moving = SortedSet::from([Name::new("q")]);
         let rate = |expr: Expr| time_derivative(&expr, &moving).unwrap();
         assert_eq!(rate(name("q")), name("q").prime(1));
         assert_eq!(rate(name("q").prime(1)), name("q").prime(2));

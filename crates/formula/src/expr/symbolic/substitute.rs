@@ -1,12 +1,11 @@
 //! Formulas substituted for names.
 
-use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
 use super::derivative::resolve_diff;
 use super::{SymbolicError, bounded, time_derivative};
 use crate::expr::{Expr, Kind, Name, Path};
-use vibank_dynamics::numerics::gather;
+use vibank_dynamics::numerics::{SortedMap, SortedSet};
 
 /// Formulas to be substituted for names, all at once.
 ///
@@ -22,21 +21,21 @@ use vibank_dynamics::numerics::gather;
 /// ```
 #[derive(Clone, Debug, Default)]
 pub struct Substitution {
-    names: BTreeMap<Name, Arc<Replacement>>,
-    paths: BTreeMap<Path, Arc<Replacement>>,
-    moving: BTreeSet<Name>,
+    names: SortedMap<Name, Arc<Replacement>>,
+    paths: SortedMap<Path, Arc<Replacement>>,
+    moving: SortedSet<Name>,
 }
 
 /// What is substituted, with the names that stand in it.
 #[derive(Debug)]
 struct Replacement {
     expr: Expr,
-    names: BTreeSet<Name>,
+    names: SortedSet<Name>,
 }
 
 impl Replacement {
     fn of(expr: Expr) -> Arc<Self> {
-        let mut names = BTreeSet::new();
+        let mut names = SortedSet::new();
         expr.walk(&mut |node| {
             if let Kind::Name(name) = node.kind() {
                 names.insert(name.clone());
@@ -55,7 +54,7 @@ impl Substitution {
     /// Nothing to be substituted yet, where these names move with time.
     pub fn moving(names: impl IntoIterator<Item = Name>) -> Self {
         Self {
-            moving: gather(names),
+            moving: names.into_iter().collect(),
             ..Self::default()
         }
     }
@@ -143,12 +142,16 @@ impl Substitution {
         let names = self.names.iter().filter(|(name, _)| !bound.contains(name));
         let moving = self.moving.iter().filter(|name| !bound.contains(name));
         let inner = Self {
-            names: gather(names.map(|(name, value)| (name.clone(), Arc::clone(value)))),
+            names: names
+                .map(|(name, value)| (name.clone(), Arc::clone(value)))
+                .collect(),
             paths: self.paths.clone(),
-            moving: gather(moving.cloned()),
+            moving: moving.cloned().collect(),
         };
-        let mut values = inner.names.values().chain(inner.paths.values());
-        let caught = values.find_map(|value| bound.iter().find(|name| value.names.contains(name)));
+        let caught = {
+            let mut values = inner.names.values().chain(inner.paths.values());
+            values.find_map(|value| bound.iter().find(|name| value.names.contains(name)))
+        };
         if let Some(name) = caught {
             return Err(SymbolicError::Captured {
                 name: name.clone(),

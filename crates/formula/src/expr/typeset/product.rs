@@ -65,17 +65,16 @@ fn side_by_side(setter: &Setter<'_>, parts: &[ProductPart]) -> Math {
         return setter.math(only);
     }
     let mut row: Vec<Math> = Vec::new();
-    let mut before: Option<Factor> = None;
+    let mut is_behind_quantity = false;
     for (position, part) in parts.iter().enumerate() {
-        let factor = factor(setter, part, position == 0, position + 1 == parts.len());
-        if let Some(before) = &before {
-            let is_dotted = before.is_quantity || factor.is_quantity || factor.begins_with_number;
-            if is_dotted {
-                row.push(Math::binary("⋅"));
-            }
+        let is_first = position == 0;
+        let factor = factor(setter, part, is_first, position + 1 == parts.len());
+        let needs_sign = factor.is_quantity || factor.begins_with_number;
+        if is_behind_quantity || needs_sign && !is_first {
+            row.push(Math::binary("⋅"));
         }
-        row.push(factor.math.clone());
-        before = Some(factor);
+        is_behind_quantity = factor.is_quantity;
+        row.push(factor.math);
     }
     Math::row(row)
 }

@@ -1,11 +1,9 @@
 //! What cancels in sums of products: denominators, and what equal functions come to.
 
-use std::collections::BTreeSet;
-
 use super::inner::Inner;
 use super::term::{Atom, Monomial, Polynomial, settle};
 use super::{SymbolicError, Work, trigonometry};
-use vibank_dynamics::numerics::Rational;
+use vibank_dynamics::numerics::{Rational, SortedSet};
 
 /// Each sum that stands in denominators is divided out of the terms over it where that is exact.
 pub(crate) fn cancelled(
@@ -58,7 +56,7 @@ fn cancelled_by(
 }
 
 /// The sums that stand in denominators.
-fn denominators(polynomial: &Polynomial) -> BTreeSet<Inner> {
+fn denominators(polynomial: &Polynomial) -> SortedSet<Inner> {
     let factors = polynomial.0.keys().flat_map(|monomial| &monomial.0);
     let bases = factors
         .filter(|(_, exponent)| exponent.is_negative())
@@ -66,7 +64,7 @@ fn denominators(polynomial: &Polynomial) -> BTreeSet<Inner> {
             Atom::Base(base) if base.as_number().is_none() => Some(base.clone()),
             _ => None,
         });
-    vibank_dynamics::numerics::gather(bases)
+    bases.collect()
 }
 
 /// The form in which equal functions are the same: denominators cleared, angles taken apart, sin²

@@ -1,11 +1,9 @@
 //! Functions of time taken apart into constants and harmonics.
 
-use std::collections::BTreeSet;
-
 use super::term::{Atom, Monomial, Polynomial};
 use super::{Normal, SymbolicError};
 use crate::expr::{Function, Name, Variable};
-use vibank_dynamics::numerics::Rational;
+use vibank_dynamics::numerics::{Rational, SortedSet};
 
 /// A term `factor * cos(frequency*t + phase)` or the same with a sine.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -24,7 +22,7 @@ pub(crate) fn apart(
     function: &Normal,
     time: &Name,
 ) -> Result<Option<(Normal, Vec<Harmonic>)>, SymbolicError> {
-    let (moving, constant) = function.split_by(&BTreeSet::from([time.clone()]));
+    let (moving, constant) = function.split_by(&SortedSet::from([time.clone()]));
     let mut harmonics: Vec<Harmonic> = Vec::new();
     for (monomial, coefficient) in &moving.0.0 {
         let Some(harmonic) = harmonic(monomial, *coefficient, time) else {
@@ -49,7 +47,7 @@ impl Harmonic {
 
 /// A term as a harmonic, if its only factor with time is a sine or cosine of an angle linear in time.
 fn harmonic(monomial: &Monomial, coefficient: Rational, time: &Name) -> Option<Harmonic> {
-    let names = BTreeSet::from([time.clone()]);
+    let names = SortedSet::from([time.clone()]);
     let mut with_time = monomial.0.iter().filter(|(atom, _)| atom.mentions(&names));
     let (atom, exponent) = with_time.next()?;
     let is_only = with_time.next().is_none() && *exponent == Rational::ONE;

@@ -20,8 +20,6 @@ mod tests;
 mod trigonometry;
 mod write;
 
-use std::collections::BTreeSet;
-
 pub use harmonic::Harmonic;
 pub use write::Order;
 pub use write::sum_of_signed_terms;
@@ -30,7 +28,7 @@ use super::{SymbolicError, Variable};
 use crate::expr::{Expr, Name, differentiate, time_derivative};
 use crate::work;
 use term::{Atom, Monomial, Polynomial, fits, settle};
-use vibank_dynamics::numerics::Rational;
+use vibank_dynamics::numerics::{Rational, SortedSet};
 
 /// Elementary products and sums that one normal form may cost.
 const MAX_WORK: usize = 500_000;
@@ -225,7 +223,7 @@ impl Normal {
     }
 
     /// The terms in which one of these names stands (also primed, or within functions), and the others.
-    pub fn split_by(&self, names: &BTreeSet<Name>) -> (Self, Self) {
+    pub fn split_by(&self, names: &SortedSet<Name>) -> (Self, Self) {
         let (with, without) = self
             .0
             .0
@@ -237,11 +235,11 @@ impl Normal {
 
     /// Whether a name stands in it, also primed.
     pub fn mentions(&self, name: &Name) -> bool {
-        self.mentions_any(&BTreeSet::from([name.clone()]))
+        self.mentions_any(&SortedSet::from([name.clone()]))
     }
 
     /// Whether one of these names stands in it, also primed.
-    pub fn mentions_any(&self, names: &BTreeSet<Name>) -> bool {
+    pub fn mentions_any(&self, names: &SortedSet<Name>) -> bool {
         self.0.mentions(names)
     }
 
@@ -254,7 +252,7 @@ impl Normal {
     /// [`SymbolicError::TooLarge`].
     pub fn without_common_factor(
         &self,
-        kept: &BTreeSet<Name>,
+        kept: &SortedSet<Name>,
     ) -> Result<(Self, Self), SymbolicError> {
         if self.is_zero() {
             return Ok((Self(Polynomial::one()), self.clone()));
@@ -338,7 +336,7 @@ impl Normal {
     /// # Errors
     ///
     /// Those of [`time_derivative`] and [`Self::of`].
-    pub fn time_derivative(&self, moving: &BTreeSet<Name>) -> Result<Self, SymbolicError> {
+    pub fn time_derivative(&self, moving: &SortedSet<Name>) -> Result<Self, SymbolicError> {
         let moves = |name: &Name| name.as_str() == "t" || moving.contains(name);
         let is_varying = self.atoms().any(|atom| match atom {
             Atom::Variable(own) => own.name.as_str() == "t" || own.order > 0 && !moves(&own.name),

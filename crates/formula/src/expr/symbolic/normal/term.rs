@@ -1,14 +1,14 @@
 //! Sums of products with exact coefficients.
 
 use std::cmp::Ordering;
+use std::collections::BTreeMap;
 use std::collections::btree_map::Entry;
-use std::collections::{BTreeMap, BTreeSet};
 
 use super::inner::Inner;
 use super::{SymbolicError, Work, power};
 use crate::expr::{Constant, Expr, Function, Kind, Name, Variable};
 use crate::work;
-use vibank_dynamics::numerics::Rational;
+use vibank_dynamics::numerics::{Rational, SortedSet};
 
 /// What the normal form does not look into further.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -30,7 +30,7 @@ pub(crate) enum Atom {
 
 impl Atom {
     /// Whether one of these names stands in it.
-    pub(crate) fn mentions(&self, names: &BTreeSet<Name>) -> bool {
+    pub(crate) fn mentions(&self, names: &SortedSet<Name>) -> bool {
         match self {
             Self::Constant(_) => false,
             Self::Variable(variable) => names.contains(&variable.name),
@@ -59,7 +59,7 @@ impl Atom {
             Self::Call(_, arguments) => arguments.iter().any(|sum| inside(sum)),
             Self::Base(sum) => inside(sum),
             Self::Power(base, exponent) => inside(base) || inside(exponent),
-            Self::Opaque(_) => self.mentions(&BTreeSet::from([variable.name.clone()])),
+            Self::Opaque(_) => self.mentions(&SortedSet::from([variable.name.clone()])),
         }
     }
 
@@ -409,7 +409,7 @@ impl Polynomial {
         Ok(None)
     }
 
-    pub(crate) fn mentions(&self, names: &BTreeSet<Name>) -> bool {
+    pub(crate) fn mentions(&self, names: &SortedSet<Name>) -> bool {
         let mut monomials = self.0.keys();
         monomials.any(|monomial| monomial.0.iter().any(|(atom, _)| atom.mentions(names)))
     }

@@ -43,7 +43,7 @@ fn check_written(expr: Expr, expected: &str) {
 
 /// The left side of Lagrange's equation for one coordinate.
 fn lagrange(kinetic: &Expr, potential: &Expr, dissipation: &Expr) -> Expr {
-    let (q, moving) = (Name::new("theta"), BTreeSet::from([Name::new("theta")]));
+    let (q, moving) = (Name::new("theta"), SortedSet::from([Name::new("theta")]));
     let momentum = differentiate(kinetic, Variable::of(&q, 1)).unwrap();
     time_derivative(&momentum, &moving).unwrap() - differentiate(kinetic, &q).unwrap()
         + differentiate(potential, &q).unwrap()
@@ -221,7 +221,7 @@ fn what_has_no_normal_form_is_refused() {
 
 #[test]
 fn derivatives_term_by_term_are_those_of_the_formula() {
-    let moving = BTreeSet::from(["x", "phi"].map(Name::new));
+    let moving = SortedSet::from(["x", "phi"].map(Name::new));
     for text in [
         "1/2*m*x'^2 + 1/2*(I/r^2)*x'^2 - m*g*x + x^-2 + a",
         "m*l*x'*phi'*cos(phi - x) + 1/2*m*l^2*phi'^2",

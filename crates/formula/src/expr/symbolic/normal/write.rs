@@ -2,13 +2,13 @@
 
 use std::cell::RefCell;
 use std::cmp::Reverse;
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeMap;
 
 use super::inner::Inner;
 use super::power::primitive;
 use super::term::{Atom, Monomial, Polynomial};
 use crate::expr::{Expr, Function, Kind, Name, Operator};
-use vibank_dynamics::numerics::Rational;
+use vibank_dynamics::numerics::{Rational, SortedMap, SortedSet};
 
 /// In which order a normal form is written.
 ///
@@ -18,7 +18,7 @@ use vibank_dynamics::numerics::Rational;
 #[derive(Clone, Debug, Default)]
 pub struct Order {
     moving: Vec<Name>,
-    ranks: BTreeMap<Name, usize>,
+    ranks: SortedMap<Name, usize>,
     is_descending: bool,
 }
 
@@ -38,7 +38,7 @@ impl Order {
     /// In products, these names come in this order, before all others.
     #[must_use]
     pub fn ranked(mut self, names: impl IntoIterator<Item = Name>) -> Self {
-        self.ranks = vibank_dynamics::numerics::gather(names.into_iter().zip(0..));
+        self.ranks = names.into_iter().zip(0..).collect();
         self
     }
 
@@ -54,9 +54,9 @@ impl Order {
         self.moving.iter().position(|own| own == name)
     }
 
-    fn moving_names(&self) -> BTreeSet<Name> {
+    fn moving_names(&self) -> SortedSet<Name> {
         let time = Name::new("t");
-        vibank_dynamics::numerics::gather(self.moving.iter().cloned().chain([time]))
+        self.moving.iter().cloned().chain([time]).collect()
     }
 }
 
@@ -67,7 +67,7 @@ impl Order {
 struct NormalWriter<'o> {
     order: &'o Order,
     /// By where they stand in memory: what is written outlives the writer.
-    written: RefCell<BTreeMap<*const Polynomial, Expr>>,
+    written: RefCell<SortedMap<*const Polynomial, Expr>>,
 }
 
 impl<'o> NormalWriter<'o> {
@@ -184,7 +184,7 @@ fn rank(part: &Monomial, order: &Order) -> Rank {
         let index = order
             .moving
             .iter()
-            .position(|name| atom.mentions(&BTreeSet::from([name.clone()])))?;
+            .position(|name| atom.mentions(&SortedSet::from([name.clone()])))?;
         Some((Reverse(Some(0)), index))
     });
     let highest = heights.min();
@@ -499,10 +499,9 @@ fn unsigned(own: &Polynomial, written: Expr, writer: &NormalWriter<'_>) -> Expr 
         let terms = terms
             .into_iter()
             .map(|(monomial, own)| (monomial.clone(), own.abs()));
-        collected_sum(
-            &Polynomial(vibank_dynamics::numerics::gather(terms)),
-            writer,
-        )
+        let mut part = Polynomial::default();
+        part.0.extend(terms);
+        collected_sum(&part, writer)
     };
     let negative = terms_of(&part(negative));
     let first = part(positive);
