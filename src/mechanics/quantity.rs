@@ -209,6 +209,16 @@ const TABLE: &[(&str, QuantityRow)] = &[
     ),
 ];
 
+/// The name that is spelled nearly so, or else the longest one with which it ends, as `natural_period` does with `period`.
+fn meant(name: &str) -> Option<&'static str> {
+    let names = || TABLE.iter().map(|row| row.0);
+    let is_end = |own: &&str| {
+        name.strip_suffix(own)
+            .is_some_and(|rest| rest.ends_with('_'))
+    };
+    nearest(name, names()).or_else(|| names().filter(is_end).max_by_key(|own| own.len()))
+}
+
 impl Quantity {
     /// Whether it has a meaning only about an equilibrium.
     pub(crate) fn needs_rest(self) -> bool {
@@ -241,7 +251,7 @@ impl Quantity {
         let Some((_, row)) = row else {
             return Err(QuantityError::Unknown {
                 name: name.clone(),
-                nearest: nearest(name.as_str(), TABLE.iter().map(|row| row.0)),
+                nearest: meant(name.as_str()),
             });
         };
         let [only_or_first, others @ ..] = model.coordinates() else {
@@ -277,5 +287,18 @@ impl Quantity {
                 first: only_or_first.clone(),
             }),
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::meant;
+
+    #[test]
+    fn names_that_are_nearly_right_are_known() {
+        assert_eq!(meant("dampng_ratio"), Some("damping_ratio"));
+        assert_eq!(meant("natural_period"), Some("period"));
+        assert_eq!(meant("first_damped_period"), Some("damped_period"));
+        assert_eq!(meant("omega"), None);
     }
 }

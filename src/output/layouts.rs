@@ -133,6 +133,12 @@ impl Layouts {
     }
 }
 
+/// Whether a format comes with a layout of this name.
+pub fn has_layout(writer: &dyn Writer, name: &str) -> bool {
+    let path = format!("{}/{name}.{}", writer.name(), writer.layout());
+    TEMPLATES.get_file(path).is_some()
+}
+
 /// The style of HTML pages.
 pub(crate) fn style() -> &'static str {
     text("html/style.css")

@@ -32,7 +32,7 @@ pub use fairness::fairness_page;
 pub use feedback::feedback_page;
 pub use form::{FormQuestion, FormSheet, form};
 pub use key_table::{KeyRow, KeyTable, key_row, key_table_page};
-pub use layouts::{Layouts, OutputError};
+pub use layouts::{Layouts, OutputError, has_layout};
 pub use lists::{List, Roll, list_page, separator_page};
 pub use marks::MarkedRun;
 pub use page::practice;

@@ -137,7 +137,7 @@ fn a_key_as_it_is_printed_is_right() {
 
 /// The worked solutions of one draw of each item, in words.
 #[test]
-fn one_draw_of_each_item_is_written_as_it_was() {
+fn one_draw_of_each_item_is_fresh() {
     let mut settings = insta::Settings::clone_current();
     settings.set_snapshot_path("../snapshots/items");
     settings.set_prepend_module_to_snapshot(false);

@@ -19,7 +19,8 @@ const DRAWS: u64 = 25;
 /// A figure, and what is wrong with it.
 fn faults(template: &Template, instance: Instance<'_>) -> Vec<String> {
     let Some(figure) = &template.figure else {
-        return vec!["it has no figure".to_owned()];
+        let id = &template.id;
+        return vec![format!("{id}: it has no figure, as each item of this bank")];
     };
     let identity = instance.identity();
     let solution = Solution::of(instance);
@@ -142,6 +143,9 @@ fn every_item_is_drawn_legibly_for_many_data() {
     let mut all = Vec::new();
     for template in catalogue.items() {
         all.extend(faults(template, Instance::of_source(template)));
+        if template.figure.is_none() {
+            continue;
+        }
         for seed in 0..DRAWS {
             if let Ok(instance) = Instance::draw(template, Seed::new(seed)) {
                 all.extend(faults(template, instance));
@@ -288,7 +292,7 @@ fn every_element_is_listed() {
             .into_owned();
         assert!(
             ["mod.rs", "family.rs"].contains(&name.as_str()) || listed.contains(&name),
-            "{name}"
+            "no element of `KINDS` has the name of the file {name}"
         );
     }
 }
@@ -298,7 +302,10 @@ fn every_element_is_listed() {
 fn areas_have_outlines() {
     let catalogue = &*BANK;
     for template in catalogue.items() {
-        let figure = template.figure.as_ref().expect("every item has one");
+        // Those without one are said by another test.
+        let Some(figure) = &template.figure else {
+            continue;
+        };
         let solution = Solution::of(Instance::of_source(template));
         let drawing = figure
             .draw(&Scene::of(&solution, Data::Both))

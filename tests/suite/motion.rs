@@ -98,7 +98,11 @@ fn each_model_with_a_figure_moves_it() {
         .filter(|item| item.figure.as_ref().is_some_and(|figure| !figure.moves()))
         .map(|item| item.id.as_str())
         .collect();
-    assert_eq!(still, STILL.map(|(item, _)| item));
+    assert_eq!(
+        still,
+        STILL.map(|(item, _)| item),
+        "a figure of a model moves by `[figure.motion]`, or stands here with the reason why it does not"
+    );
 }
 
 #[test]

@@ -1,6 +1,7 @@
 //! The rows of a student in tables of answers and marks.
 
 use serde_json::Value;
+use vibank::output::WRITERS;
 use vibank::worksheet::Csv;
 
 use super::Task;
@@ -20,14 +21,8 @@ const TABLES: [&str; 5] = [
     "unreadable.csv",
 ];
 
-/// Pages about all, which `vibank sheet` and `vibank grade` make again.
-const OVERVIEWS: [&str; 5] = [
-    "fairness.html",
-    "fairness.md",
-    "report.html",
-    "report.json",
-    "report.csv",
-];
+/// Pages about all, which `vibank sheet` and `vibank grade` make again, beside those on fairness.
+const OVERVIEWS: [&str; 3] = ["report.html", "report.json", "report.csv"];
 
 /// Tables that are packed, which `vibank sheet` and `vibank grade` make again: they are removed as a whole, as is what is
 /// for the printer.
@@ -161,7 +156,10 @@ pub(crate) fn remove_overviews(
     // And what is left of a grading that was interrupted, or of which parts are not joined.
     let names = folder.names(inside.trim_end_matches('/')).into_iter();
     let marked = names.filter(|name| grade::is_journal(name) || grade::is_part(name));
-    let overviews = OVERVIEWS.map(str::to_owned).into_iter();
+    let endings = WRITERS.iter().map(|writer| writer.extension());
+    let overviews = endings
+        .map(|ending| format!("fairness.{ending}"))
+        .chain(OVERVIEWS.map(str::to_owned));
     for name in overviews.chain(marked) {
         let name = format!("{inside}{name}");
         if folder.has(&name) {

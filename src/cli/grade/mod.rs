@@ -28,7 +28,7 @@ use std::sync::{Mutex, MutexGuard, PoisonError};
 use rayon::prelude::*;
 use vibank::grade::{Place, Responses, RowError};
 use vibank::message::Language;
-use vibank::output::{Decided, Lost, MarkedRun};
+use vibank::output::{Decided, Lost, MarkedRun, WRITERS};
 use vibank::worksheet::{Absence, Marks, VariantEntry};
 
 pub(crate) use self::items::Items as RunItems;
@@ -100,8 +100,7 @@ pub(crate) struct Arguments {
     /// Mark one part of the sheets, such as 2/4, for machines that share the work; then a run without it joins the parts.
     #[arg(long, value_name = "I/N", default_value_t)]
     shard: Shard,
-    /// The format of the feedback pages, as of sheets: html, md, pdf, tex.
-    #[arg(long, value_name = "FORMAT", default_value = "html")]
+    #[arg(long, value_name = "FORMAT", default_value = "html", help = feedback_formats())]
     feedback: String,
     /// Write no feedback pages.
     #[arg(long, conflicts_with = "feedback")]
@@ -232,6 +231,13 @@ pub(crate) fn run(arguments: &Arguments) -> Result<super::Outcome, Failure> {
     faults.extend(unclaimed.map(|error| saved::said(&error, &names)));
     faults.extend(job.decisions.doubts());
     job.finish(&faults, &census.changed)
+}
+
+/// The help of `--feedback`, with the formats that there are.
+fn feedback_formats() -> String {
+    let names: Vec<&str> = WRITERS.iter().map(|writer| writer.name()).collect();
+    let known = names.join(", ");
+    format!("The format of the feedback pages, as of sheets: {known}")
 }
 
 /// Whether the marks are written as a workbook, too.

@@ -96,11 +96,9 @@ impl FormatChoice {
     }
 
     /// Endings of files that this run would renew if it had a press.
-    pub(crate) fn kept(&self) -> &'static [&'static str] {
-        if self.missing.is_some() {
-            &["pdf", "tex"]
-        } else {
-            &[]
-        }
+    pub(crate) fn kept(&self) -> Vec<&'static str> {
+        let printed = output::WRITERS.iter().filter(|writer| writer.needs_press());
+        let endings = printed.map(|writer| writer.extension());
+        endings.filter(|_| self.missing.is_some()).collect()
     }
 }

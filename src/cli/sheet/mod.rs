@@ -254,7 +254,7 @@ impl SheetRun<'_, '_> {
                 record,
             },
         )?;
-        let kept = known.tidy(self.out, shard, self.choice.kept());
+        let kept = known.tidy(self.out, shard, &self.choice.kept());
         if let Some(path) = &self.arguments.pseudonyms {
             self.write_key(path, &made)?;
         }

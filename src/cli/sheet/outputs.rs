@@ -4,7 +4,9 @@ use std::collections::BTreeMap;
 use std::path::Path;
 
 use rayon::prelude::*;
-use vibank::output::{KeyTable, PageKind, fairness_page, key_table_page};
+use vibank::output::{
+    KeyTable, PageKind, WRITERS, Writer, fairness_page, has_layout, key_table_page,
+};
 use vibank::worksheet::{Fairness, Plan, VariantEntry};
 
 use super::format::{Format, Laid, UNPRINTED, WrittenSheet, unfilled};
@@ -15,16 +17,23 @@ use crate::cli::folder::{Draft, Folder, Left};
 use crate::cli::shard::Shard;
 use crate::cli::table::workbook::XLSX;
 
-/// Writes the page that tells a teacher how alike the variants are: as HTML, unless Markdown alone is made.
+/// Writes the page that tells a teacher how alike the variants are: in the first format of pages that is made, or as HTML
+/// where one of those that are made has no layout for it.
 pub(crate) fn write_fairness(
     plan: &Plan<'_>,
     layouts: Option<&Path>,
     fairness: &Fairness,
     out: &Folder,
 ) -> Result<Finished, Failure> {
-    let mut formats = plan.blueprint.formats.iter();
-    let is_markdown = formats.all(|format| ["md", "json", XLSX].contains(&&*format.value));
-    let name = if is_markdown { "md" } else { "html" };
+    let formats = &plan.blueprint.formats;
+    let is_made = |name: &str| formats.iter().any(|format| format.value == name);
+    let mut made = WRITERS.iter().filter(|writer| is_made(writer.name()));
+    let has_page = |writer: &&dyn Writer| has_layout(*writer, "fairness");
+    let name = match made.clone().next() {
+        Some(first) if made.all(has_page) => first.name(),
+        Some(_) => "html",
+        None => "md",
+    };
     let laid = Laid::of(name, plan, None, &[], layouts, true)?;
     let what = "how alike the variants are";
     let page = fairness_page(&laid.pages, fairness).map_err(unfilled)?;

@@ -384,7 +384,10 @@ mod tests {
             "weight",
         ];
         for noun in nouns.chain(others) {
-            assert!(Noun::of(noun).is_some(), "{noun}");
+            assert!(
+                Noun::of(noun).is_some(),
+                "`{noun}` has no French word: `Noun::of` needs a row for it"
+            );
         }
     }
 

@@ -220,6 +220,8 @@ fn unit(english: &'static str) -> &'static str {
         "revolution" | "revolutions" => "tour",
         "revolution per minute" | "revolutions per minute" => "tour par minute",
         "percent" => "pour cent",
+        "permille" => "pour mille",
+        "part per million" | "parts per million" => "partie par million",
         "minutes" => "minute",
         "hour" | "hours" => "heure",
         "day" | "days" => "jour",
@@ -245,7 +247,7 @@ fn unit(english: &'static str) -> &'static str {
 mod tests {
     use super::*;
     use crate::math::{self, Math, symbol};
-    use crate::unit::Unit;
+    use crate::unit::{KnownUnit, Unit};
 
     #[test]
     fn formulas_are_heard_in_french() {
@@ -277,6 +279,27 @@ mod tests {
             Ok("millimètre par seconde au carré")
         );
         assert_eq!(named("rpm").as_deref(), Ok("tour par minute"));
+    }
+
+    /// Units whose words are those of both languages.
+    const SAME_UNITS: &[&str] = &[
+        "radian", "newton", "hertz", "joule", "watt", "pascal", "volt", "ohm", "farad", "henry",
+        "coulomb", "siemens", "tesla", "weber", "kelvin", "mole", "candela", "minute", "litre",
+        "tonne", "bar", "var",
+    ];
+
+    #[test]
+    fn every_unit_has_a_french_word() {
+        for known in KnownUnit::all() {
+            let [one, several, ..] = known.words else {
+                panic!("{} has no words for one and for several", known.printed);
+            };
+            let is_french = |english| unit(english) != english || SAME_UNITS.contains(&english);
+            assert!(
+                is_french(*one) && unit(one) == unit(several),
+                "`{one}`, `{several}`: `unit` needs a row with their French word, or `SAME_UNITS` the word"
+            );
+        }
     }
 
     /// Signs and letters whose words are those of both languages.

@@ -217,3 +217,16 @@ fn the_table_of_numerical_tasks_has_all_of_them() {
         .collect();
     assert!(missing.is_empty(), "{missing:?}");
 }
+
+#[test]
+fn the_table_of_formats_has_all_formats() {
+    let page = include_str!("../../../book/src/reference/outputs.md");
+    let missing: Vec<&&str> = vibank::worksheet::FORMATS
+        .iter()
+        .filter(|format| !page.contains(&format!("\n| `{format}` |")))
+        .collect();
+    assert!(
+        missing.is_empty(),
+        "{missing:?} in reference/outputs.md of the book"
+    );
+}

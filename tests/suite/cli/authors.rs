@@ -388,10 +388,15 @@ fn words_that_are_nearly_right_are_named() {
 fn every_format_is_one_that_is_written() {
     for format in vibank::worksheet::FORMATS {
         let is_written = vibank::output::writer(format).is_some();
-        assert!(is_written || ["json", "xlsx"].contains(format), "{format}");
+        assert!(
+            is_written || ["json", "xlsx"].contains(format),
+            "`{format}` is missing in `WRITERS`"
+        );
     }
     for writer in vibank::output::WRITERS {
-        assert!(vibank::worksheet::FORMATS.contains(&writer.name()));
+        let name = writer.name();
+        let is_named = vibank::worksheet::FORMATS.contains(&name);
+        assert!(is_named, "`{name}` is missing in `FORMATS`");
     }
 }
 

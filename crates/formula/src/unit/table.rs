@@ -316,3 +316,41 @@ fn row_of_word(text: &str, prefixed: bool) -> Option<u8> {
 pub(crate) fn prefix(power: i8) -> Option<&'static Prefix> {
     PREFIXES.iter().find(|prefix| prefix.power == power)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::{PREFIXES, ROWS};
+
+    #[test]
+    fn no_unit_hides_another() {
+        let bare = ROWS.iter().flat_map(|row| row.symbols);
+        let mut symbols: Vec<String> = bare.map(|&symbol| symbol.to_owned()).collect();
+        for row in ROWS.iter().filter(|row| row.prefixes) {
+            let prefixes = PREFIXES.iter().flat_map(|prefix| prefix.symbols);
+            symbols
+                .extend(prefixes.flat_map(|prefix| {
+                    row.symbols.iter().map(move |own| format!("{prefix}{own}"))
+                }));
+        }
+        symbols.sort();
+        for pair in symbols.windows(2) {
+            assert_ne!(
+                pair[0], pair[1],
+                "two units, or one with a prefix, are written so"
+            );
+        }
+        let mut words: Vec<(String, &str)> = ROWS
+            .iter()
+            .flat_map(|row| {
+                row.words
+                    .iter()
+                    .map(|word| (word.to_lowercase(), row.print))
+            })
+            .collect();
+        words.sort();
+        for pair in words.windows(2) {
+            let is_told_apart = pair[0].0 != pair[1].0 || pair[0].1 == pair[1].1;
+            assert!(is_told_apart, "two units are called `{}`", pair[0].0);
+        }
+    }
+}
