@@ -38,7 +38,7 @@ pub(crate) fn rounding_of_values(formula: &Expr) -> Option<f64> {
     })
 }
 
-fn largest(formula: &Expr, decimal: impl Fn(Rational) -> Option<Decimal>) -> Option<f64> {
+fn largest(formula: &Expr, decimal: fn(Rational) -> Option<Decimal>) -> Option<f64> {
     let mut largest: f64 = 0.0;
     formula.walk(&mut |node| {
         if let Kind::Number(value) = node.kind()
@@ -115,7 +115,7 @@ impl Decimal {
     }
 
     /// The simplest fraction of which a function is rounded to this decimal, by the inverse of that function.
-    fn simplest(self, inverse: impl Fn(f64) -> f64) -> Option<Expr> {
+    fn simplest(self, inverse: fn(f64) -> f64) -> Option<Expr> {
         let [low, high] = [self.value - self.half, self.value + self.half].map(inverse);
         simplest_between(low, high, MAX_DIVISIONS).map(Expr::number)
     }

@@ -3,7 +3,7 @@
 
 use super::letters::Letters;
 use super::lexicon::LexiconEntry;
-use vibank_formula::expr::{Constant, Expr, Function, Name};
+use vibank_formula::expr::{Expr, Name};
 
 /// Coordinates, and the letters of their rates with the order of each.
 type CustomaryRates = (&'static [&'static str], &'static [(&'static str, u8)]);
@@ -50,17 +50,18 @@ pub(crate) fn indexed_frequencies() -> impl Iterator<Item = String> {
     letters.flat_map(|letter| INDICES.map(|index| format!("{letter}{index}")))
 }
 
+/// The first name that may be used among these.
+fn allowed<'e>(entries: &'e [LexiconEntry], names: &[&str]) -> Option<&'e Name> {
+    entries.iter().find_map(|entry| match entry {
+        LexiconEntry::Allowed(name, ..) => Some(name).filter(|name| names.contains(&name.as_str())),
+        LexiconEntry::Forbidden(_) => None,
+    })
+}
+
 /// Letters whose value at the start, `x(0)`, and the order of the rate whose value, `x'(0)`, names of the item are: where
 /// it has both `x0` and `v0`, these are no amplitudes.
 pub(crate) fn initial_state(entries: &[LexiconEntry]) -> Vec<(&'static str, u8, &Name)> {
-    let allowed = |wanted: &str| {
-        let mut entries = entries.iter();
-        entries.find_map(|entry| match entry {
-            LexiconEntry::Allowed(name, ..) => Some(name).filter(|name| name.as_str() == wanted),
-            LexiconEntry::Forbidden(_) => None,
-        })
-    };
-    match (allowed("x0"), allowed("v0")) {
+    match (allowed(entries, &["x0"]), allowed(entries, &["v0"])) {
         (Some(x0), Some(v0)) => vec![("x", 0, x0), ("x", 1, v0), ("v", 0, v0)],
         _ => Vec::new(),
     }
@@ -113,40 +114,30 @@ pub(crate) fn about_axis(entries: &[LexiconEntry]) -> Vec<(&'static str, &Name)>
 
 /// What the decay rate λ is in the damping ratio and the natural frequency, `ζ ω_n`, if both may be used.
 pub(crate) fn decay_rate(entries: &[LexiconEntry]) -> Option<Expr> {
-    let is_ratio = |name: &Name| DAMPING_RATIOS.contains(&name.as_str());
-    let ratio = entries.iter().find_map(|entry| match entry {
-        LexiconEntry::Allowed(name, ..) => Some(name).filter(|name| is_ratio(name)),
-        LexiconEntry::Forbidden(_) => None,
-    })?;
+    let ratio = allowed(entries, &DAMPING_RATIOS)?;
     let frequency = natural_frequency(entries)?;
-    let [ratio, frequency] = [ratio, frequency].map(|name| Expr::name(name.clone()));
-    Some(ratio * frequency)
+    Some(Expr::name(ratio.clone()) * Expr::name(frequency.clone()))
 }
 
 /// What the damped frequency ω_d is in the natural one and the decay rate or the damping ratio, `√(ω_n² − λ²)`, and its
 /// period, if these may be used.
-pub(crate) fn damped(entries: &[LexiconEntry]) -> Vec<(&'static str, Expr)> {
-    let Some(natural) = natural_frequency(entries) else {
-        return Vec::new();
+pub(crate) fn damped(entries: &[LexiconEntry]) -> Option<[(&'static str, Expr); 4]> {
+    let natural = natural_frequency(entries)?;
+    let frequency = match allowed(entries, &DECAY_RATES) {
+        Some(rate) => format!("sqrt({natural}^2 - {rate}^2)"),
+        None => {
+            let ratio = allowed(entries, &DAMPING_RATIOS)?;
+            format!("{natural}*sqrt(1 - {ratio}^2)")
+        }
     };
-    let allowed = |names: &[&str]| {
-        let is_it = |name: &&Name| names.contains(&name.as_str());
-        let mut entries = entries.iter();
-        entries.find_map(|entry| match entry {
-            LexiconEntry::Allowed(name, ..) => Some(name).filter(is_it),
-            LexiconEntry::Forbidden(_) => None,
-        })
-    };
-    let square = |name: &Name| Expr::name(name.clone()).squared();
-    let difference = match (allowed(&DECAY_RATES), allowed(&DAMPING_RATIOS)) {
-        (Some(rate), _) => square(natural) - square(rate),
-        (None, Some(ratio)) => square(natural) * (Expr::number(1) - square(ratio)),
-        (None, None) => return Vec::new(),
-    };
-    let frequency = Expr::call(Function::Sqrt, [difference]);
-    let period = Expr::number(2) * Expr::constant(Constant::Pi) / frequency.clone();
-    let of = |words: [&'static str; 2], meaning: &Expr| words.map(|word| (word, meaning.clone()));
-    [of(["omegad", "wd"], &frequency), of(["Td", "TD"], &period)].concat()
+    let period = Expr::read(&format!("2*pi/({frequency})")).ok()?;
+    let frequency = Expr::read(&frequency).ok()?;
+    Some([
+        ("omegad", frequency.clone()),
+        ("wd", frequency),
+        ("Td", period.clone()),
+        ("TD", period),
+    ])
 }
 
 /// A rate by a letter of its own.

@@ -118,7 +118,7 @@ impl Words {
         for (word, name) in about_axis(entries) {
             words.offer(word, &WordSense::of_name(name));
         }
-        for (word, meaning) in damped(entries) {
+        for (word, meaning) in damped(entries).into_iter().flatten() {
             words.offer(word, &WordSense::Leaf(meaning));
         }
         for (letter, order, name) in initial_state(entries) {
