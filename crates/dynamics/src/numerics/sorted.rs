@@ -66,7 +66,7 @@ impl<K, V> SortedMap<K, V> {
         Pairs(self.0.iter())
     }
 
-    /// The keys.
+    /// The keys, ascending.
     pub fn keys(&self) -> impl DoubleEndedIterator<Item = &K> + Clone {
         self.0.iter().map(|(key, _)| key)
     }
