@@ -12,6 +12,9 @@ use vibank_formula::expr::Expr;
 use vibank_formula::unit::Unit;
 use vibank_source::Span;
 
+/// The longest list in bytes whose letters may be in the other case: programs, which print longer ones, keep the case.
+const MAX_RESPELT: usize = 400;
+
 /// Most entries that are read.
 const MAX_ENTRIES: usize = 400;
 /// Most brackets around one another that are lists.
@@ -92,17 +95,20 @@ pub(crate) fn list_of_form(
         }
         others.push(listed);
     }
-    let typed = others.iter().position(Result::is_ok);
-    // `[[M1, 0], [0, M2]]` for m₁ and m₂, where nothing else can be read.
-    let in_any_case = || {
+    // `[[M1, 0], [0, M2]]` for m₁ and m₂, where the only trouble is a letter that is not known.
+    let is_unknown = |error: &TypedError| matches!(error.trouble, Trouble::Unknown { .. });
+    let are_unknown = || others.iter().all(|listed| listed.as_ref().is_err_and(is_unknown));
+    if text.len() <= MAX_RESPELT && are_unknown() {
         let manner = Manner::default().in_any_case();
         let listed = list(&plain, lexicon, manner, units, wanted);
-        listed.ok().filter(fits)
-    };
-    match typed {
-        None if let Some(listed) = in_any_case() => Ok(listed),
-        _ => others.swap_remove(typed.unwrap_or(0)),
+        if let Ok(listed) = listed
+            && fits(&listed)
+        {
+            return Ok(listed);
+        }
     }
+    let typed = others.iter().position(Result::is_ok).unwrap_or(0);
+    others.swap_remove(typed)
 }
 
 /// The entries of a list by rows; a list without rows is one row.

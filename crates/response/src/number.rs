@@ -370,8 +370,7 @@ impl Lexer<'_> {
             && self.manner.values.is_some()
             && !self.manner.has_imaginary_unit
             && self.is_behind_value();
-        let unit = Unit::read("J").ok().filter(|_| is_it);
-        if let Some(unit) = unit {
+        if is_it && let Ok(unit) = Unit::read("J") {
             self.push(Item::Unit(Box::new(gathered(unit))), start);
         }
         is_it
