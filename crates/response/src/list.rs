@@ -97,7 +97,11 @@ pub(crate) fn list_of_form(
     }
     // `[[M1, 0], [0, M2]]` for m₁ and m₂, where the only trouble is a letter that is not known.
     let is_unknown = |error: &TypedError| matches!(error.trouble, Trouble::Unknown { .. });
-    let are_unknown = || others.iter().all(|listed| listed.as_ref().is_err_and(is_unknown));
+    let are_unknown = || {
+        others
+            .iter()
+            .all(|listed| listed.as_ref().is_err_and(is_unknown))
+    };
     if text.len() <= MAX_RESPELT && are_unknown() {
         let manner = Manner::default().in_any_case();
         let listed = list(&plain, lexicon, manner, units, wanted);
