@@ -173,7 +173,8 @@ fn why(why: &Why) -> String {
             "this equation cannot be compared; write it in a simpler form.".to_owned()
         }
         Why::RoundedNumbers => {
-            "give the numbers in it exactly, as fractions, roots or multiples of π.".to_owned()
+            "its numbers are rounded; give them exactly, as fractions, roots or multiples of π."
+                .to_owned()
         }
         Why::ValuesForLetters => {
             "write the equation with the letters of the question, not with their values.".to_owned()

@@ -170,7 +170,8 @@ fn why(why: &Why) -> String {
             "cette équation ne peut pas être comparée ; écrivez-la plus simplement.".to_owned()
         }
         Why::RoundedNumbers => {
-            "donnez-en les nombres exactement, par des fractions, des racines ou des multiples de π.".to_owned()
+            "ses nombres sont arrondis ; donnez-les exactement, par des fractions, des racines ou des multiples de π."
+                .to_owned()
         }
         Why::ValuesForLetters => {
             "écrivez l’équation avec les lettres de l’énoncé, pas avec leurs valeurs.".to_owned()

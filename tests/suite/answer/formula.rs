@@ -278,7 +278,7 @@ fn slips_are_named_by_what_they_are() {
             ("0", "wrong other: This is zero"),
             ("2 m g", "wrong other: off by a constant factor"),
             ("6.3 m g", "wrong near"),
-            ("6.2832 m g", "unreadable: Give the numbers in it exactly"),
+            ("6.2832 m g", "unreadable: Its numbers are rounded"),
             ("2π m q g", "unreadable: At `q`"),
             ("2π mgQ", "unreadable: At `Q`"),
             ("2π gamma m", "unreadable: At `gamma`"),
