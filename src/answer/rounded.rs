@@ -1,9 +1,7 @@
 //! Formulas with rounded numbers, and the exact ones that these may stand for: `0.0833 m l²` for `m l²/12`.
 
-use std::f64::consts::PI;
-
 use super::{Credit, Doubt, Marking, Note, Remark, Why};
-use crate::expr::{Constant, Expr, Function, Kind};
+use crate::expr::{Expr, Kind};
 use crate::numerics::Rational;
 
 /// Figures from which on a decimal may stand for a number that has no end: with two, 0.33, it is a third to one percent only.
@@ -11,18 +9,15 @@ const MIN_FIGURES: u32 = 3;
 /// Divisions until the simplest fraction between two bounds is found; of decimals with six figures it takes at most nine.
 const MAX_DIVISIONS: u32 = 16;
 
-/// What formulas may be rounded forms of: each of their decimals as the simplest fraction, the root of one, or the multiple
-/// of π, that is rounded to it. None where they have no decimal of three figures.
-pub(crate) fn exact_forms(formulas: &[Expr]) -> impl Iterator<Item = Vec<Expr>> {
-    let exact: [Exact; 3] = [Decimal::fraction, Decimal::root, Decimal::multiple_of_pi];
-    exact.into_iter().filter_map(|exact| {
-        let mut is_any = false;
-        let all: Result<Vec<Expr>, ()> = formulas
-            .iter()
-            .map(|formula| replaced(formula, exact, &mut is_any))
-            .collect();
-        all.ok().filter(|_| is_any)
-    })
+/// What formulas may be rounded forms of, with each of their decimals as the simplest fraction that is rounded to it; none
+/// where they have no decimal of three figures.
+pub(crate) fn with_fractions(formulas: &[Expr]) -> Option<Vec<Expr>> {
+    let mut is_any = false;
+    let all: Option<Vec<Expr>> = formulas
+        .iter()
+        .map(|formula| replaced(formula, &mut is_any).ok())
+        .collect();
+    all.filter(|_| is_any)
 }
 
 /// The part by which a formula may be off from the exact one for the rounding of its decimals; none where it has none of
@@ -60,19 +55,16 @@ pub(crate) fn settle_rounded(doubt: Doubt, right: Marking) -> Marking {
     }
 }
 
-/// The exact number of which a decimal is rounded.
-type Exact = fn(Decimal) -> Option<Expr>;
-
-/// A formula with its decimals replaced; an error where one is rounded of no such number.
-fn replaced(node: &Expr, exact: Exact, is_any: &mut bool) -> Result<Expr, ()> {
+/// A formula with its decimals replaced; an error where one is rounded of no simple fraction.
+fn replaced(node: &Expr, is_any: &mut bool) -> Result<Expr, ()> {
     let Kind::Number(value) = node.kind() else {
-        return node.try_map_children(&mut |child| replaced(child, exact, is_any));
+        return node.try_map_children(&mut |child| replaced(child, is_any));
     };
     let Some(decimal) = Decimal::of(*value) else {
         return Ok(node.clone());
     };
     *is_any = true;
-    exact(decimal).ok_or(())
+    decimal.fraction().map(Expr::number).ok_or(())
 }
 
 /// A positive decimal that may be rounded.
@@ -114,24 +106,13 @@ impl Decimal {
         })
     }
 
-    /// The simplest fraction of which a function is rounded to this decimal, by the inverse of that function.
-    fn simplest(self, inverse: fn(f64) -> f64) -> Option<Expr> {
-        let [low, high] = [self.value - self.half, self.value + self.half].map(inverse);
-        simplest_between(low, high, MAX_DIVISIONS).map(Expr::number)
-    }
-
-    fn fraction(self) -> Option<Expr> {
-        self.simplest(|value| value)
-    }
-
-    fn root(self) -> Option<Expr> {
-        let square = self.simplest(|value| value * value)?;
-        Some(Expr::call(Function::Sqrt, [square]))
-    }
-
-    fn multiple_of_pi(self) -> Option<Expr> {
-        let multiple = self.simplest(|value| value / PI)?;
-        Some(multiple * Expr::constant(Constant::Pi))
+    /// The simplest fraction that is rounded to it.
+    fn fraction(self) -> Option<Rational> {
+        simplest_between(
+            self.value - self.half,
+            self.value + self.half,
+            MAX_DIVISIONS,
+        )
     }
 }
 
@@ -158,23 +139,28 @@ mod tests {
 
     #[test]
     fn a_decimal_stands_for_what_is_rounded_to_it() {
-        let forms = |text: &str| {
-            let formula = [Expr::read(text).unwrap()];
-            let forms = exact_forms(&formula);
-            forms.map(|form| form[0].to_string()).collect::<Vec<_>>()
+        let form = |text: &str| {
+            let exact = with_fractions(&[Expr::read(text).unwrap()]);
+            exact.map(|exact| exact[0].to_string())
         };
-        assert_eq!(forms("0.0833*m")[0], "1/12*m");
-        assert_eq!(forms("1.667*m")[0], "5/3*m");
-        assert_eq!(forms("1.414*x")[1], "sqrt(2)*x");
-        assert_eq!(forms("sqrt(1.4286*g*h)")[0], "sqrt(10/7*g*h)");
-        assert_eq!(forms("6.28*x")[2], "2*pi*x");
-        assert_eq!(forms("0.667*m + 0.0833*n")[0], "2/3*m + 1/12*n");
-        // The last figure counts: these are rounded to other decimals.
-        assert_ne!(forms("0.0834*m")[0], "1/12*m");
-        assert_ne!(forms("0.6666*m")[0], "2/3*m");
-        assert_ne!(forms("1.000001*m")[0], "m");
+        for (rounded, exact) in [
+            ("0.0833*m", "1/12*m"),
+            ("1.667*m", "5/3*m"),
+            ("sqrt(1.4286*g*h)", "sqrt(10/7*g*h)"),
+            ("0.667*m + 0.0833*n", "2/3*m + 1/12*n"),
+        ] {
+            assert_eq!(form(rounded).as_deref(), Some(exact), "{rounded}");
+        }
+        // The last figure counts: these are rounded of other numbers.
+        for (other, exact) in [
+            ("0.0834*m", "1/12*m"),
+            ("0.6666*m", "2/3*m"),
+            ("1.000001*m", "m"),
+        ] {
+            assert_ne!(form(other).as_deref(), Some(exact), "{other}");
+        }
         for text in ["0.33*m", "0.5*m", "12*m", "m/12", "m"] {
-            assert!(forms(text).is_empty(), "{text}");
+            assert_eq!(form(text), None, "{text}");
         }
     }
 }

@@ -9,7 +9,7 @@ use super::rows::Rows;
 use super::system::System;
 use super::terms::{Coefficients, terms};
 use super::{Arc, Setup, read, told, written};
-use crate::answer::rounded::{exact_forms, rounding_of_values, settle_rounded};
+use crate::answer::rounded::{rounding_of_values, settle_rounded, with_fractions};
 use crate::answer::settle::{Candidate, settle_by_rule};
 use crate::answer::{
     Beside, Credit, Doubt, Echo, Equations, Key, Marker, Marking, Misfit, Nature, Note, Reading,
@@ -238,7 +238,7 @@ impl Prepared {
             let compared = self.compared(equations);
             compared.is_some_and(|(_, _, rows)| rows == Rows::Same)
         };
-        self.are_rounded_values(equations) || exact(equations).into_iter().any(is_key)
+        self.are_rounded_values(equations) || exact(equations).is_some_and(is_key)
     }
 
     fn are_rounded_values(&self, equations: &[Equation]) -> bool {
@@ -286,17 +286,17 @@ impl Prepared {
 }
 
 /// The equations of which these may be rounded forms.
-fn exact(equations: &[Equation]) -> Vec<Vec<Equation>> {
+fn exact(equations: &[Equation]) -> Option<Vec<Equation>> {
     let sides = equations.iter().flat_map(|own| [&own.left, &own.right]);
     let sides: Vec<Expr> = sides.cloned().collect();
-    let paired = |sides: Vec<Expr>| {
-        let (pairs, _) = sides.as_chunks();
-        let pairs = pairs.iter().cloned();
+    let exact = with_fractions(&sides)?;
+    let (pairs, _) = exact.as_chunks();
+    let pairs = pairs.iter().cloned();
+    Some(
         pairs
             .map(|[left, right]| Equation { left, right })
-            .collect()
-    };
-    exact_forms(&sides).map(paired).collect()
+            .collect(),
+    )
 }
 
 /// The marking of fewer independent equations than are asked.

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use super::Setup;
 use super::slip::slip;
 use crate::answer::equality::{Comparable, Comparison, Points};
-use crate::answer::rounded::{exact_forms, rounding, settle_rounded};
+use crate::answer::rounded::{rounding, settle_rounded, with_fractions};
 use crate::answer::settle::{Candidate, settle_by_rule};
 use crate::answer::{
     Answered, Close, Credit, Doubt, Echo, Key, Marker, Marking, Misfit, Nature, Note, Reading,
@@ -87,8 +87,9 @@ impl Prepared {
             let exact = self.comparable(expr);
             exact.is_some_and(|exact| self.points.compare(&self.key, &exact) == Comparison::Same)
         };
-        let mut exact = exact_forms(std::slice::from_ref(expr)).flatten();
-        let is_right = misfit.is_none() && (is_factor || exact.any(|exact| is_key(&exact)));
+        let exact = || with_fractions(std::slice::from_ref(expr));
+        let is_right = misfit.is_none()
+            && (is_factor || exact().is_some_and(|exact| exact.iter().all(is_key)));
         is_right.then(|| settle_rounded(self.doubt, Marking::right(self.reading(expr))))
     }
 
