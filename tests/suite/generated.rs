@@ -2,13 +2,28 @@
 //! writes it anew.
 
 use std::fs;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 /// Compares a file with what it should hold, or writes it.
 pub(crate) fn compare(path: impl AsRef<Path>, text: &str) {
-    let path = path.as_ref();
-    let file = Path::new(env!("CARGO_MANIFEST_DIR")).join(path);
-    if fs::read_to_string(&file).is_ok_and(|found| found == text) {
+    compare_all([(path.as_ref().to_owned(), text.to_owned())]);
+}
+
+/// The same for several files: all that are stale are named.
+pub(crate) fn compare_all(files: impl IntoIterator<Item = (PathBuf, String)>) {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let is_fresh = |(path, text): &(PathBuf, String)| {
+        fs::read_to_string(root.join(path)).is_ok_and(|found| found == *text)
+    };
+    let stale = files.into_iter().filter(|own| !is_fresh(own));
+    let stale: Vec<(PathBuf, String)> = stale.collect();
+    if std::env::var_os("UPDATE_BOOK").is_some() {
+        for (path, text) in stale {
+            let file = root.join(path);
+            let folder = file.parent().expect("it lies in a folder");
+            fs::create_dir_all(folder).expect("the folder can be made");
+            fs::write(&file, text).expect("the file can be written");
+        }
         return;
     }
     // The name of the test; those that are named so make pages, pictures and lists in seconds, all at once.
@@ -19,14 +34,15 @@ pub(crate) fn compare(path: impl AsRef<Path>, text: &str) {
         Some("main") | None => String::new(),
         Some(test) => format!(" {test}"),
     };
+    let names: Vec<_> = stale
+        .iter()
+        .map(|(path, _)| path.display().to_string())
+        .collect();
     assert!(
-        std::env::var_os("UPDATE_BOOK").is_some(),
-        "{} is stale; `UPDATE_BOOK=1 cargo test --test suite{filter}` writes it anew",
-        path.display()
+        names.is_empty(),
+        "stale: {}; `UPDATE_BOOK=1 cargo test --test suite{filter}` writes what is stale anew",
+        names.join(", ")
     );
-    let folder = file.parent().expect("it lies in a folder");
-    fs::create_dir_all(folder).expect("the folder can be made");
-    fs::write(&file, text).expect("the file can be written");
 }
 
 /// The same for the part of a file between two marks.
