@@ -12,8 +12,8 @@
 
 use std::sync::Arc;
 
-use super::naming::Steps;
 use super::settle::{Candidate, Rule, settle};
+use super::steps::Steps;
 use super::{
     Answer, AnswerError, Answered, Asked, Band, Blank, Context, Credit, Declare, Doubt, Echo, Key,
     KeyValue, Marker, Marking, Misfit, Nature, Reading, Remark, Role, Slip, Trial, Unreadable, Why,

@@ -33,6 +33,7 @@ mod remark;
 mod rounded;
 mod settle;
 mod shared;
+mod steps;
 mod symbolic;
 mod tolerance;
 mod trial;

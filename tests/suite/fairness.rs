@@ -50,6 +50,17 @@ fn count(template: &Template) -> Counts {
     counts
 }
 
+/// A bank of one item, `c/a`.
+fn bank_of(item: &str) -> Catalogue {
+    let (catalogue, findings) = Catalogue::load([
+        ("bank.toml", "format = 1\ntitle = 'T'\n"),
+        ("c/_chapter.toml", "title = 'C'\n"),
+        ("c/a.toml", item),
+    ]);
+    assert!(catalogue.find("c/a").is_some(), "{findings:?}");
+    catalogue
+}
+
 /// A sum of which all digits but one are lost in 256 bits, and one of which none that is printed is.
 #[test]
 fn a_key_that_rounding_leaves_open_is_not_handed_out() {
@@ -57,14 +68,8 @@ fn a_key_that_rounding_leaves_open_is_not_handed_out() {
         let item = format!(
             "[item]\ntitle = 'T'\nsource = 'by hand'\n[statement]\ntext = 'T'\n[[part]]\nid = 'p'\nkind = 'numeric'\nkey = '{key}'\nask = 'Find it.'\n"
         );
-        let (catalogue, findings) = Catalogue::load([
-            ("bank.toml", "format = 1\ntitle = 'T'\n"),
-            ("c/_chapter.toml", "title = 'C'\n"),
-            ("c/a.toml", item.as_str()),
-        ]);
-        let template = catalogue
-            .find("c/a")
-            .unwrap_or_else(|| panic!("{findings:?}"));
+        let catalogue = bank_of(&item);
+        let template = catalogue.find("c/a").unwrap();
         suitability::judge(&Solution::of(Instance::of_source(template)), &[0])
     };
     assert_eq!(judged("1 + 10^60*(sqrt(2)^2 - 2)"), Ok(()));
@@ -82,14 +87,8 @@ fn a_quantity_that_repeats_another_widens_no_tolerance() {
         let item = format!(
             "[item]\ntitle = 'T'\nsource = 'by hand'\n[parameters]\nk = {{ value = '7 N/m' }}\n[statement]\ntext = 'T'\n[quantities]\n{quantities}\n[[part]]\nid = 'p'\nkey = '{key}'\nunit = 'N/m'\nask = 'Find it.'\n"
         );
-        let (catalogue, findings) = Catalogue::load([
-            ("bank.toml", "format = 1\ntitle = 'T'\n"),
-            ("c/_chapter.toml", "title = 'C'\n"),
-            ("c/a.toml", item.as_str()),
-        ]);
-        let template = catalogue
-            .find("c/a")
-            .unwrap_or_else(|| panic!("{findings:?}"));
+        let catalogue = bank_of(&item);
+        let template = catalogue.find("c/a").unwrap();
         let solution = Solution::of(Instance::of_source(template));
         let key = template.graph.find(&key.into()).unwrap();
         solution.evaluation().spread(key)[0]

@@ -314,7 +314,7 @@ fn cardinal(words: &[&str]) -> Option<i128> {
 
 /// The word for what is counted, after a number: `2 periods`.
 pub(crate) fn counted(value: &str) -> Option<&str> {
-    // Asked of each response that is no number, though most are of other words.
+    // It is looked up for each response that is not a number, and few of those have its words.
     static KNOWN: OnceLock<Wording> = OnceLock::new();
     let known = KNOWN.get_or_init(|| things().joined(&Wording::of(TURNS_OF_TIME)));
     let word = value.trim_start_matches(|char: char| !char.is_alphabetic());

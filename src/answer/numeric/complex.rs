@@ -5,8 +5,8 @@ use std::sync::Arc;
 use super::list::{parted, without_empty_ends};
 use super::read::explained;
 use super::trial;
-use crate::answer::naming::Steps;
 use crate::answer::settle::{Candidate, Rule, settle};
+use crate::answer::steps::Steps;
 use crate::answer::{
     Answered, Credit, Decades, Doubt, Echo, Example, Key, KeyValue, Marker, Marking, Misfit,
     Mistaken, Negated, Reading, Remark, Slip, Trial, Unreadable, Why,

@@ -9,8 +9,8 @@ use super::slip::{mixes_energy_and_moment, slip};
 use super::target::{Target, Typed, pair};
 use super::trial;
 use super::words::{angles, counts, gram, meant};
-use crate::answer::naming::Steps;
 use crate::answer::settle::{Candidate, Rule, settle};
+use crate::answer::steps::Steps;
 use crate::answer::{
     Answered, Band, Credit, Doubt, Echo, Key, KeyValue, Marker, Marking, Misfit, Mistaken, Note,
     Reading, Remark, Slip, Trial, Unreadable, Why,

@@ -31,7 +31,7 @@ mod words;
 
 use std::sync::Arc;
 
-use super::naming::Steps;
+use super::steps::Steps;
 use super::{
     Answer, AnswerError, Asked, Blank, Context, Credit, Declare, Marker, Tolerance, formula,
 };

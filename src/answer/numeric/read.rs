@@ -1,6 +1,6 @@
 //! Numbers with units: what a response says that its name is, and how that is shown.
 
-use crate::answer::naming::Steps;
+use crate::answer::steps::Steps;
 use crate::answer::{Example, Unreadable, Why};
 use crate::expr::{Constant, Expr, Kind, Operator, PlainNotation};
 use crate::math::Math;
