@@ -346,14 +346,15 @@ impl Catalogue {
             .get_or_init(|| read(entry, (!self.is_loose).then_some(&self.bank)))
     }
 
-    /// The identity that is nearest to a mistyped one; the slug alone is enough.
+    /// The identity that is nearest to a mistyped one; its beginning is enough, with the chapter or without it.
     pub fn nearest(&self, id: &str) -> Option<&str> {
-        let by_slug = self.ids().map(ItemId::as_str).find(|known| {
-            known
-                .split_once('/')
-                .is_some_and(|(_, slug)| slug == id || slug.starts_with(id))
-        });
-        by_slug.or_else(|| nearest(id, self.ids().map(ItemId::as_str)))
+        let mut ids = self.ids().map(ItemId::as_str);
+        let begins = |known: &str| {
+            let slug = known.split_once('/').map_or(known, |(_, slug)| slug);
+            known.starts_with(id) || slug.starts_with(id)
+        };
+        let begun = ids.find(|known| !id.is_empty() && begins(known));
+        begun.or_else(|| nearest(id, self.ids().map(ItemId::as_str)))
     }
 
     /// A digest over the identities and revisions of all items.

@@ -133,9 +133,11 @@ fn an_item_that_cannot_be_used_is_no_unknown_one() {
 
 #[test]
 fn unknown_names_come_with_the_nearest_known_one() {
-    small(&["show", "free/spring-mas"])
-        .ends(2)
-        .complains("did you mean `free/spring-mass`?");
+    for typed in ["free/spring-mas", "free/spr", "spring"] {
+        small(&["show", typed])
+            .ends(2)
+            .complains("did you mean `free/spring-mass`?");
+    }
     small(&["solve", "free/spring-mass", "--want", "omega_m"])
         .ends(2)
         .complains("did you mean `omega_n`?");
