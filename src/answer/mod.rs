@@ -11,6 +11,7 @@
 mod answered;
 mod band;
 mod blank;
+mod bound;
 mod choice;
 mod declare;
 mod echo;
@@ -67,8 +68,8 @@ use crate::document::Document;
 use crate::expr::{Equation, Name, Precise};
 use crate::numerics::Complex;
 use crate::quantity::{Absent, Evaluation, NodeId};
-use crate::response::Passage;
 pub use crate::response::{At, Trouble};
+use crate::response::{Bound, Passage};
 use crate::source::{Table, Value};
 use crate::unit::Unit;
 
@@ -96,6 +97,11 @@ pub trait Answer: Send + Sync {
 
     /// The unit that is printed after the blank.
     fn unit(&self) -> Option<Unit> {
+        None
+    }
+
+    /// The bound of a quantity that is asked for, where it is one.
+    fn bound(&self) -> Option<Bound> {
         None
     }
 

@@ -5,7 +5,7 @@ use crate::expr::{self, Name, Shape, Type};
 use crate::math::symbol;
 use crate::quantity::NodeId;
 use crate::response::{
-    Folded, Label, Lexicon, Manner, Passage, label_behind, label_in_front, parted,
+    Bound, Folded, Label, Lexicon, Manner, Passage, label_behind, label_in_front, parted,
 };
 use crate::unit::{Dimension, Rational, Unit};
 
@@ -25,6 +25,8 @@ pub(crate) struct Naming {
     /// Letters that the item does not know and that say something else by the custom of the field.
     customary: Vec<&'static str>,
     is_formula: bool,
+    /// The bound that is asked, where one is.
+    bound: Option<Bound>,
     /// Whether one value is asked, be it of several components.
     is_one: bool,
     is_matrix: bool,
@@ -102,6 +104,12 @@ impl Naming {
         naming
     }
 
+    /// The same where the bound of a quantity is asked.
+    #[must_use]
+    pub(crate) fn with_bound(self, bound: Option<Bound>) -> Self {
+        Self { bound, ..self }
+    }
+
     /// A response with a name in place of the symbol that is asked, where that is printed as no name: `V(π) = 3 J`.
     ///
     /// # Errors
@@ -127,8 +135,13 @@ impl Naming {
     }
 
     /// The statement of a response that answers, where the others are of other symbols: `k = 47.7 N/m, K = 2.19 N/m`,
-    /// `1.71 s (f = 0.585 Hz)`.
+    /// `1.71 s (f = 0.585 Hz)`; and the bound of a range, where that is asked: `k ≤ 47.7 N/m`.
     pub(crate) fn answering<'t>(&self, response: Folded<'t>) -> Folded<'t> {
+        let is_name = |side: Passage<'_>| self.is_of_asked(side) || self.is_free_name(side);
+        let bound = self.bound.and_then(|bound| response.bound(bound, is_name));
+        if let Some(place) = bound {
+            return response.part(place);
+        }
         if !self.is_one || self.asked.is_empty() {
             return response;
         }
@@ -140,6 +153,18 @@ impl Naming {
             Some(place) => response.part(place),
             None => response,
         }
+    }
+
+    /// Whether a side is a name that says nothing else than what is asked, `k` for k_max, or its magnitude, `|x|`.
+    fn is_free_name(&self, side: Passage<'_>) -> bool {
+        let Some(own) = self.reads(side) else {
+            return false;
+        };
+        let own = match own.kind() {
+            expr::Kind::Call(expr::Function::Abs, of) if of.len() == 1 => &of[0],
+            _ => &own,
+        };
+        matches!(own.kind(), expr::Kind::Name(name) if !self.others.contains(name))
     }
 
     /// The name of what is asked, if a label is its printed symbol.

@@ -16,10 +16,11 @@ use crate::source::{Data, Entry, Problems, Value, toml};
 use crate::unit::Unit;
 
 /// The keys of a part that say how a response to it is read.
-const READING: [&str; 14] = [
+const READING: [&str; 15] = [
     "kind",
     "id",
     "unit",
+    "bound",
     "form",
     "in",
     "without",

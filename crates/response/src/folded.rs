@@ -6,6 +6,7 @@ use super::answering::answering;
 use super::error::At;
 use super::fold::{OneWidth, folded, is_plain};
 use super::passage::Passage;
+use super::ranges::Bound;
 use super::signs::is_minus;
 use vibank_source::Span;
 
@@ -156,6 +157,11 @@ impl<'t> Folded<'t> {
         let name = text[..start].trim();
         let is_name = name.starts_with(|first: char| first.is_alphabetic() || first == '\\');
         (is_name && is_bare && is_asked(Passage::of(name))).then(|| Span::new(start, text.len()))
+    }
+
+    /// Where the bound of a quantity of such a name stands, if that is all it says: `k ≤ 251`.
+    pub fn bound(&self, bound: Bound, is_name: impl Fn(Passage<'_>) -> bool) -> Option<Span> {
+        bound.place(self.text(), is_name)
     }
 
     /// The whole of it.

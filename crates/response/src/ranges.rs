@@ -10,11 +10,13 @@
 //!           | [ side ] "from" side "to" side | [ side ] "between" side "and" side | side "…" side
 //! ```
 
+mod bound;
 mod marks;
 mod said;
 
 use std::ops::Range;
 
+pub use self::bound::Bound;
 use self::marks::{CALLS, INTERSECTION, Mark, Marked, marks};
 use self::said::{condition_said, in_words, without_said_ends};
 use super::answering::without_condition;

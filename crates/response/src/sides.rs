@@ -43,13 +43,15 @@ pub(crate) fn sides(text: &str, lexicon: &Lexicon) -> Result<Vec<Span>, TypedErr
     Ok(sides)
 }
 
-/// Where a symbol ends with its colon, `T: m v²/2`. A letter of which the answer may be made is divided where no space
-/// stands after it, `M:l`.
+/// Where a symbol ends with its colon, `T: m v²/2`. A letter of which the answer may be made is divided where the space
+/// after the colon is missing or stands before it, too, `M:l`, `M : l`.
 fn label(text: &str, lexicon: &Lexicon) -> Option<usize> {
     let at = text.find(':')?;
-    let is_colon = !text[at + 1..].starts_with('=') && !text[..at].contains(['=', '≈']);
-    let is_label = |symbol| symbol == Symbol::Asked || text[at + 1..].starts_with(' ');
-    let is_symbol = is_colon && symbol(text[..at].trim(), lexicon).is_some_and(is_label);
+    let (before, behind) = (&text[..at], &text[at + 1..]);
+    let is_colon = !behind.starts_with('=') && !before.contains(['=', '≈']);
+    let is_name = !before.ends_with(' ') && behind.starts_with(' ');
+    let is_label = |symbol| symbol == Symbol::Asked || is_name;
+    let is_symbol = is_colon && symbol(before.trim(), lexicon).is_some_and(is_label);
     is_symbol.then_some(at + 1)
 }
 

@@ -11,7 +11,7 @@ use crate::answer::{
     Answered, Close, Credit, Doubt, Echo, Key, Marker, Marking, Misfit, Nature, Note, Reading,
     Reason, Remark, Slip, Trial, Unreadable, Verdict, Why,
 };
-use crate::expr::{Expr, Field, Kind, Operator, Substitution};
+use crate::expr::{Expr, Field, Function, Kind, Operator, Substitution};
 use crate::math::symbol;
 use crate::numerics::SortedMap;
 use crate::response::{BeforeUnit, Manner, Passage, Stated, Trouble, Typed, TypedError};
@@ -144,8 +144,8 @@ impl Prepared {
         self.right_of(all.filter_map(|expr| put.apply(&expr).ok()))
     }
 
-    /// The marking of a statement of a multiple or the reciprocal of what is asked, `2λ = c/m`, `1/k = 1/k1 + 1/k2`, if
-    /// what is asked follows right from it.
+    /// The marking of a statement of a multiple, the square or the reciprocal of what is asked, `2λ = c/m`, `ω_n² = k/m`,
+    /// `1/k = 1/k1 + 1/k2`, if what is asked follows right from it.
     fn right_if_solved(&self, response: Passage<'_>) -> Option<Marking> {
         let naming = &self.setup.naming;
         let stated = self.stated(response).ok()?;
@@ -451,7 +451,9 @@ impl Prepared {
     }
 }
 
-/// What is asked by an equation whose left side is a multiple of it by a number, or of its reciprocal.
+/// What is asked by an equation whose left side is a multiple of it by a number, of its square or of its reciprocal.
+///
+/// Of two roots the one that is not negative: a key of either sign is neither.
 fn solved(left: &Expr, right: Expr, is_asked: &dyn Fn(&Expr) -> bool) -> Option<Expr> {
     let is_number = |side: &Expr| side.names().free.is_empty();
     match left.kind() {
@@ -464,6 +466,9 @@ fn solved(left: &Expr, right: Expr, is_asked: &dyn Fn(&Expr) -> bool) -> Option<
         }
         Kind::Binary(Operator::Divide, above, rest) if is_number(above) => {
             solved(rest, above.clone() / right, is_asked)
+        }
+        Kind::Binary(Operator::Power, base, exponent) if *exponent == Expr::number(2) => {
+            solved(base, Expr::call(Function::Sqrt, [right]), is_asked)
         }
         _ => None,
     }

@@ -5,6 +5,7 @@
 //! The letters of the answer are all parameters, symbols and coordinates, and the quantities of earlier parts, but for
 //! those that `without` lists; `in` lists the letters in which the key is printed, which may be used as well.
 //! A formula of another dimension is reported.
+//! Where it is a bound, `bound = "upper"` or `"lower"`, a range that it bounds on this side says it, too: `x0 <= 3 mu m g/k`.
 //!
 //! ```toml
 //! [[part]]
@@ -26,13 +27,13 @@ use super::letters::Allowed;
 use super::meaning::{Meaning, Prefer};
 use super::shared::{self, Shared};
 use super::{
-    Answer, AnswerError, AnswerKind, Asked, Blank, Context, Declare, Key, Marker, Naming, numeric,
-    symbolic,
+    Answer, AnswerError, AnswerKind, Asked, Blank, Context, Declare, Key, Marker, Naming, bound,
+    numeric, symbolic,
 };
 use crate::expr::{Expr, Field, Name, Shape, Type};
 use crate::numerics::SortedMap;
 use crate::quantity::{Absent, Evaluation, NodeId};
-use crate::response::Lexicon;
+use crate::response::{Bound, Lexicon};
 use crate::source::{Table, Text};
 use crate::unit::Unit;
 
@@ -42,6 +43,8 @@ pub(crate) struct Formula {
     setup: Arc<Setup>,
     /// Whether it changes with time: it uses `t` or a coordinate.
     moves: bool,
+    /// The bound that its value is.
+    bound: Option<Bound>,
     /// The numeric answer by which a response is marked that gives the value of the formula; none where the formula moves.
     value: Option<Box<dyn Answer>>,
 }
@@ -81,10 +84,12 @@ pub(crate) fn read(part: &Table<'_>, declare: &mut dyn Declare) -> Option<Box<dy
     let text = part
         .required("key")
         .and_then(|key| part.as_formula("key", key));
+    let bound = bound::read(part, declare);
     let text = text?;
     let key = declare.formula("key", &text)?;
     let kind = declare.graph().kind(key)?.clone();
     let mut formula = of_key(part, &text, key, declare)?;
+    formula.bound = bound;
     if !formula.moves {
         formula.value = numeric::of_formula(key, &kind, declare);
     }
@@ -144,6 +149,7 @@ pub(crate) fn of_key(
         key,
         setup: Arc::new(setup),
         moves,
+        bound: None,
         value: None,
     })
 }
@@ -159,6 +165,10 @@ impl Answer for Formula {
 
     fn keys(&self) -> Vec<NodeId> {
         vec![self.key]
+    }
+
+    fn bound(&self) -> Option<Bound> {
+        self.bound
     }
 
     fn other_form(&self) -> Option<&dyn Answer> {

@@ -8,6 +8,7 @@
 //! An angle with `modulo = "360 deg"` is right with any number of turns; where the item asks for one interval,
 //! `within = "(-180 deg, 180 deg]"`, an angle outside of it has half the points.
 //! A complex number is `3 - 4i ohm`, `-100j ohm`, `5 ohm at -53 deg` or `5∠-53°`; it is right within a distance in the plane.
+//! Where the answer is a bound, `bound = "upper"` or `"lower"`, a range that it bounds on this side says it, too: `k <= 251 N/m`.
 //! The key is a number or a vector; a vector is a list, marked in any order unless `ordered = true`.
 //!
 //! ```toml
@@ -33,11 +34,11 @@ use std::sync::Arc;
 
 use super::steps::Steps;
 use super::{
-    Answer, AnswerError, Asked, Blank, Context, Credit, Declare, Marker, Tolerance, formula,
+    Answer, AnswerError, Asked, Blank, Context, Credit, Declare, Marker, Tolerance, bound, formula,
 };
 use crate::expr::{Field, Form, Shape, Type};
 use crate::quantity::{Absent, NodeId};
-use crate::response::Wording;
+use crate::response::{Bound, Wording};
 use crate::source::{Table, Text};
 use crate::unit::{Quantity, Unit};
 
@@ -62,6 +63,8 @@ struct Numeric {
     modulo: Option<f64>,
     /// Where the item asks for a cyclic answer, in SI units.
     within: Option<[f64; 2]>,
+    /// The bound that it is.
+    bound: Option<Bound>,
     is_complex: bool,
     is_list: bool,
     is_ordered: bool,
@@ -131,6 +134,11 @@ pub(crate) fn read(part: &Table<'_>, declare: &mut dyn Declare) -> Option<Box<dy
         .unwrap_or(Credit::NONE);
     let asked = part.text("ask").map(|ask| Wording::of_question(&ask.value));
     let is_real = kind.field() == Field::Real && !is_list;
+    let bound = if is_real {
+        bound::read(part, declare)
+    } else {
+        None
+    };
     let formula = if is_real {
         formula::of_key(part, &key_text, key, declare)
     } else {
@@ -143,6 +151,7 @@ pub(crate) fn read(part: &Table<'_>, declare: &mut dyn Declare) -> Option<Box<dy
         tolerance,
         modulo,
         within,
+        bound,
         is_complex: kind.field() == Field::Complex,
         is_list,
         is_ordered,
@@ -176,6 +185,7 @@ pub(crate) fn of_formula(
         formula: None,
         modulo: None,
         within: None,
+        bound: None,
         is_complex: false,
         is_list: false,
         is_ordered: false,
@@ -280,6 +290,10 @@ impl Answer for Numeric {
 
     fn unit(&self) -> Option<Unit> {
         Some(self.unit).filter(|unit| !unit.is_one())
+    }
+
+    fn bound(&self) -> Option<Bound> {
+        self.bound
     }
 
     fn other_form(&self) -> Option<&dyn Answer> {

@@ -37,7 +37,8 @@ pub(crate) fn read<'s>(reader: &mut ItemReader<'s>, table: &Table<'s>) -> Vec<Pa
     // Only now it is known what else is asked for.
     for part in &mut parts {
         let answer = &part.answer;
-        part.naming = Naming::of(reader, answer.kind(), &answer.keys(), answer.unit());
+        let naming = Naming::of(reader, answer.kind(), &answer.keys(), answer.unit());
+        part.naming = naming.with_bound(answer.bound());
     }
     parts
 }

@@ -25,11 +25,11 @@ impl Folder<'_> {
         if !before.ends_with(|last: char| last.is_alphanumeric() || "_}".contains(last)) {
             return None;
         }
-        // `a dot b` is a product.
+        // `c dot(x)` is a call, `a dot b` a product.
         let next = behind.trim_start_matches(' ');
         let is_product = plain == "'" && next.starts_with(|next: char| next.is_alphanumeric());
         let goes_on = ["plus ", "minus ", "times ", "squared", "equals ", "is "];
-        let ends = !behind.starts_with(char::is_alphanumeric)
+        let ends = !behind.starts_with(|next: char| next == '(' || next.is_alphanumeric())
             && (!is_product || goes_on.iter().any(|word| next.starts_with(word)));
         ends.then(|| (1 + words.len() - behind.len(), plain))
     }

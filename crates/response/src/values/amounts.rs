@@ -255,18 +255,24 @@ impl Values<'_> {
         Some(amount)
     }
 
-    /// Without the sign of a number that has no unit: `[-]`, `(1)`.
+    /// Without the sign of a number that has no unit: `[-]`, `[1]`, `-`.
     fn without_mark(&self, part: &Part) -> Part {
-        let is_mark = match &self.tokens[part.clone()] {
+        let length = match &self.tokens[part.clone()] {
+            [.., number, dash] if number.literal.is_some() && dash.item == Item::Sign('-') => 1,
             [_, .., open, sign, close] => {
                 let are_round = (&open.item, &close.item) == (&Item::Sign('('), &Item::Sign(')'));
                 let are_square = (&open.item, &close.item) == (&Item::Sign('['), &Item::Sign(']'));
                 let is_one = matches!(&sign.item, Item::Number(one) if *one == Rational::ONE);
-                (are_round || are_square) && sign.item == Item::Sign('-') || are_square && is_one
+                let is_dash = sign.item == Item::Sign('-') && (are_round || are_square);
+                if is_dash || are_square && is_one {
+                    3
+                } else {
+                    0
+                }
             }
-            _ => false,
+            _ => 0,
         };
-        part.start..part.end - if is_mark { 3 } else { 0 }
+        part.start..part.end - length
     }
 
     /// The amount that a formula is, unless it may be meant otherwise.
