@@ -221,6 +221,11 @@ pub trait Marker {
         self.mark(response)
     }
 
+    /// Whether a condition that is said beside an answer holds somewhere in the domain of the item.
+    fn may_hold(&self, _condition: Passage<'_>) -> bool {
+        true
+    }
+
     /// The equations of the key and those that a response is, where equations are asked.
     fn equations(&self, _response: Passage<'_>) -> Option<Equations> {
         None

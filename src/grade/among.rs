@@ -4,7 +4,7 @@ use super::bound::bounded;
 use super::typed::TypedResponse;
 use super::{mark_typed, marked_again, silence};
 use crate::answer::{Beside, Marking};
-use crate::response::{Folded, Passage, withdrawn};
+use crate::response::{Folded, Passage, Reworded, withdrawn};
 use crate::solution::Solution;
 
 /// Marks the response to a part with those to all parts of the item at hand, by place; empty ones are missing.
@@ -49,8 +49,9 @@ pub(crate) fn marked(
         Ok(marker) => {
             let kind = parts[place].answer.kind();
             let mark = |response: Passage<'_>| marker.mark_beside(response, &others);
-            let names_other = |response: Passage<'_>| parts[place].naming.check(response).is_err();
-            let marked = || marked_again(kind, folded.passage(), names_other, mark);
+            let naming = &parts[place].naming;
+            let may_answer = |other: &Reworded| naming.check(other.passage()).is_ok();
+            let marked = || marked_again(kind, folded.passage(), may_answer, mark);
             let marking = bounded(|| marked().in_typed(folded));
             silence::heard(response.typed(), marking)
         }

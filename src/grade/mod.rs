@@ -22,7 +22,7 @@ pub use points::{of_marking, rounded, standing};
 pub use responses::{Given, Place, Responses, Row, RowError};
 
 use crate::answer::{AnswerKind, Credit, Echo, Marker, Marking, Unreadable, Verdict, Why};
-use crate::response::{Folded, Passage, withdrawn};
+use crate::response::{Folded, Passage, Reworded, withdrawn};
 use crate::solution::Solution;
 use crate::unit::DecimalMark;
 
@@ -67,8 +67,11 @@ fn mark_typed(solution: &Solution<'_>, place: usize, response: &TypedResponse<'_
             let kind = solution.template().parts[place].answer.kind();
             let mark = |response: Passage<'_>| marker.mark(response);
             let naming = &solution.template().parts[place].naming;
-            let names_other = |response: Passage<'_>| naming.check(response).is_err();
-            marked_again(kind, folded.passage(), names_other, mark).in_typed(&folded)
+            let may_answer = |other: &Reworded| {
+                naming.check(other.passage()).is_ok()
+                    && other.conditions().all(|own| marker.may_hold(own))
+            };
+            marked_again(kind, folded.passage(), may_answer, mark).in_typed(&folded)
         }),
         Err(why) => Marking::unreadable(why),
     };
@@ -78,12 +81,12 @@ fn mark_typed(solution: &Solution<'_>, place: usize, response: &TypedResponse<'_
 /// A longer answer is no answer with something said beside it, and takes its time for each way to read it.
 const MAX_SAID: usize = 400;
 
-/// The marking of a response; where that cannot be read, and another way to read it is right that names no other quantity
-/// than the one that is asked, the marking by that.
+/// The marking of a response; where that cannot be read, and another way to read it is right that may answer, since it
+/// names no other quantity than the one that is asked and no condition that never holds, the marking by that.
 fn marked_again(
     kind: AnswerKind,
     response: Passage<'_>,
-    names_other: impl Fn(Passage<'_>) -> bool,
+    may_answer: impl Fn(&Reworded) -> bool,
     mark: impl Fn(Passage<'_>) -> Marking,
 ) -> Marking {
     let first = mark(response);
@@ -99,8 +102,7 @@ fn marked_again(
         return first;
     }
     let is_right = |marking: &Marking| marking.verdict == Verdict::Right;
-    let others = response.read_again();
-    let mut others = others.filter(|other| !names_other(other.passage()));
+    let mut others = response.read_again().filter(may_answer);
     let again = others.find_map(|other| Some(mark(other.passage())).filter(is_right));
     again.unwrap_or(first)
 }

@@ -11,9 +11,12 @@ type Rereading = fn(&str) -> Option<Reworded>;
 /// makes a wrong one of what could not be read.
 const WAYS: [Rereading; 7] = [
     // What is said after an answer, where it holds or where it comes from, does not change it.
-    |text| aside::before(text).map(Reworded::from),
+    |text| {
+        let before = aside::before(text)?;
+        Some(Reworded::from(before).under(aside::conditions(&text[before.len()..])))
+    },
     // The same of each of several equations.
-    |text| aside::between(text).map(Reworded::of),
+    aside::between,
     // A law names what both of its sides are: `ΣF = m x'' = -k x`.
     |text| sides::without_names(text).map(Reworded::of),
     // Nor do words before it that describe it; a comma after them may also part two answers, so that they come later.

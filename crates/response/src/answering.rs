@@ -3,6 +3,7 @@
 
 use super::Passage;
 use super::arguments::without_arguments;
+use super::aside::changes;
 use super::sides::is_word;
 use super::signs::is_apostrophe;
 use super::statements::{label, moved, statements_by, word_at};
@@ -27,7 +28,13 @@ pub(crate) fn answering<'t>(text: &'t str, answers: impl Fn(Passage<'t>) -> bool
     let all: Vec<Span> = all.into_iter().map(|own| moved(own, start)).collect();
     // `5 m (= 6 m)` says two things of one.
     let goes_on = |own: &Span| text[own.range()].starts_with('=');
-    if all.len() < 2 || all.iter().any(goes_on) {
+    // `5 m, it is negative`
+    let alters = |own: &Span| {
+        let mut words = text[own.range()].split_whitespace();
+        let has_digit = text[own.range()].contains(|char: char| char.is_ascii_digit());
+        !has_digit && words.any(changes)
+    };
+    if all.len() < 2 || all.iter().any(|own| goes_on(own) || alters(own)) {
         return None;
     }
     let label = |own: &Span| label(text, *own).map(|label| Passage::of(&text[label.range()]));
@@ -94,6 +101,8 @@ mod tests {
             ("3 N/m (T = 4 s)", Some("3 N/m")),
             ("k = 3 N/m at x = 0", Some("k = 3 N/m")),
             ("V = 3 N/m at x = 0", Some("V = 3 N/m")),
+            ("3 N/m, it = negative", None),
+            ("3 N/m, the spring = soft", Some("3 N/m")),
             ("=aω;π", None),
             ("3 N/m (= 4 N/m)", None),
             ("ω = 9; k = 3 N/m", Some("k = 3 N/m")),

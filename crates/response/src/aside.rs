@@ -2,11 +2,15 @@
 //! `… = 0 by Newton's law`.
 
 use super::letters::greek_word;
+use super::reworded::Reworded;
 use super::signs::is_apostrophe;
 use super::surroundings::behind_word;
-use super::words::{CONDITIONS, DENIALS, METHODS, OTHER_VALUES, SOURCES, TURNING};
+use super::words::{CONDITIONS, COUNTING, DENIALS, METHODS, OTHER_VALUES, SOURCES, TURNING};
 use vibank_formula::unit::Unit;
 use vibank_source::lower;
+
+/// Signs of what is larger.
+const RELATIONS: [char; 4] = ['<', '>', '≤', '≥'];
 
 /// What comes before the words, the condition or the remark in brackets after a formula; none where a word denies or turns
 /// what it says.
@@ -42,17 +46,38 @@ pub(crate) fn before(text: &str) -> Option<&str> {
     (!before.is_empty()).then_some(before)
 }
 
+/// The relations that are said to hold, `ζ < 1` of `for ζ < 1, else there is no peak`; an approximation is none.
+pub(crate) fn conditions(said: &str) -> Vec<String> {
+    let said = said.trim_matches([' ', ',', '.', '!']);
+    let bracketed = said.strip_prefix('(').and_then(|own| own.strip_suffix(')'));
+    let all = bracketed.unwrap_or(said).split([',', ';']);
+    let all = all.flat_map(|own| own.split(" and "));
+    let relations = all.filter(|own| own.contains(RELATIONS) && !own.contains('≈'));
+    relations
+        .map(|own| behind_all(own.trim()).to_owned())
+        .collect()
+}
+
+/// What comes after the words before a condition, `valid for`.
+fn behind_all(said: &str) -> &str {
+    let words = CONDITIONS.iter().chain(SOURCES);
+    let behind = words.into_iter().find_map(|word| behind_word(said, word));
+    behind.map_or(said, behind_all)
+}
+
 /// The statements of a text, each without what is said after it, `z = 0 (vertical plane), x^2 + y^2 = l^2`; none where
 /// nothing is said of any.
-pub(crate) fn between(text: &str) -> Option<String> {
+pub(crate) fn between(text: &str) -> Option<Reworded> {
     const ENDS: [char; 3] = [',', ';', '\n'];
-    let bare = |piece: &str| {
+    let (mut plain, mut said) = (String::new(), Vec::new());
+    for piece in text.split_inclusive(ENDS) {
         let own = piece.trim_end_matches(ENDS);
-        let said = before(own).filter(|before| before.contains('='));
-        said.unwrap_or(own).to_owned() + &piece[own.len()..]
-    };
-    let plain: String = text.split_inclusive(ENDS).map(bare).collect();
-    (plain != text).then_some(plain)
+        let bare = before(own).filter(|before| before.contains('='));
+        let bare = bare.unwrap_or(own);
+        said.extend(conditions(&own[bare.len()..]));
+        plain.extend([bare, &piece[own.len()..]]);
+    }
+    (plain != text).then(|| Reworded::of(plain).under(said))
 }
 
 /// What comes behind words and a colon or a comma, `the sum: k1 + k2`, `weight, m g`.
@@ -65,16 +90,23 @@ pub(crate) fn behind(text: &str) -> Option<&str> {
 /// Whether a text is a condition, or of words alone.
 fn is_aside(said: &str) -> bool {
     let begins = |word: &str| behind_word(said, word).is_some();
-    let compares = said.contains(['<', '>', '≤', '≥', '≈']);
+    let compares = said.contains(RELATIONS) || said.contains('≈');
     let is_condition = CONDITIONS.iter().any(|word| begins(word))
         || said.contains('≈')
-        || said.starts_with(['<', '>', '≤', '≥']);
+        || said.starts_with(RELATIONS);
     // A function of time is another one before it begins.
     let is_of_time = || {
         said.split(|char: char| !char.is_alphanumeric())
             .any(|word| word == "t")
     };
     compares && is_condition && !said.contains(['=', ';']) && !is_of_time() || is_remark(said)
+}
+
+/// Whether a word says that what it stands beside is another one: it turns, denies or multiplies it.
+pub(crate) fn changes(word: &str) -> bool {
+    let word = lower(word);
+    let tables = [TURNING, COUNTING, OTHER_VALUES, DENIALS];
+    tables.iter().any(|table| table.contains(&word.as_str()))
 }
 
 /// Whether a text is of words alone, none of which says that the formula is another one.
@@ -84,11 +116,6 @@ fn is_remark(said: &str) -> bool {
     let words = said.split_whitespace();
     let mut words = words.map(|word| word.trim_end_matches([',', ';']));
     let is_of_word = |char: char| char.is_alphabetic() || char == '-' || is_apostrophe(char);
-    let changes = |word: &str| {
-        let word = lower(word);
-        let tables = [TURNING, OTHER_VALUES, DENIALS];
-        tables.iter().any(|table| table.contains(&word.as_str()))
-    };
     // `2nd`
     let is_ordinal = |word: &str| {
         let bare = word.trim_start_matches(|char: char| char.is_ascii_digit());
@@ -101,12 +128,17 @@ fn is_remark(said: &str) -> bool {
             && !word.ends_with("dot")
     };
     words.clone().any(is_long)
-        && words.all(|word| word.chars().all(is_of_word) && !changes(word) || is_ordinal(word))
+        && words.all(|word| {
+            // `-y` is a direction, `-π` a value.
+            let is_direction = word.strip_prefix('-').is_some_and(str::is_ascii);
+            let is_word = word.chars().all(is_of_word) && !is_direction;
+            is_word && !changes(word) || is_ordinal(word)
+        })
 }
 
 #[cfg(test)]
 mod tests {
-    use super::{before, between};
+    use super::{before, between, conditions};
 
     #[test]
     fn what_is_said_of_each_equation_is_no_part_of_it() {
@@ -117,7 +149,23 @@ mod tests {
             ("z = 0 (x + y), x = y", None),
             ("z = 0, x = y", None),
         ] {
-            assert_eq!(between(typed).as_deref(), equations, "{typed}");
+            let between = between(typed);
+            let plain = between.as_ref().map(|own| own.passage().text());
+            assert_eq!(plain, equations, "{typed}");
+        }
+    }
+
+    #[test]
+    fn conditions_are_relations() {
+        for (said, all) in [
+            (" for ζ < 1/√2", &["ζ < 1/√2"][..]),
+            (" (valid for ζ<1)", &["ζ<1"]),
+            (" if k > 0 and m > 0", &["k > 0", "m > 0"]),
+            (", provided that 0 < ζ < 1, else none", &["0 < ζ < 1"]),
+            (" (sin θ ≈ θ)", &[]),
+            (" (uniform)", &[]),
+        ] {
+            assert_eq!(conditions(said), all, "{said}");
         }
     }
 

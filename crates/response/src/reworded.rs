@@ -5,7 +5,10 @@ use super::words::FACTORS;
 
 /// A passage in other words than it was typed.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Reworded(String);
+pub struct Reworded {
+    text: String,
+    conditions: Vec<String>,
+}
 
 impl From<&str> for Reworded {
     fn from(text: &str) -> Self {
@@ -15,12 +18,25 @@ impl From<&str> for Reworded {
 
 impl Reworded {
     pub(crate) fn of(text: String) -> Self {
-        Self(text)
+        Self {
+            text,
+            conditions: Vec::new(),
+        }
+    }
+
+    /// The same where these conditions were said of it.
+    pub(crate) fn under(self, conditions: Vec<String>) -> Self {
+        Self { conditions, ..self }
     }
 
     /// As it is read.
     pub fn passage(&self) -> Passage<'_> {
-        Passage::of(&self.0)
+        Passage::of(&self.text)
+    }
+
+    /// The relations that were said to hold for it, `ζ < 1` of `… for ζ < 1`.
+    pub fn conditions(&self) -> impl Iterator<Item = Passage<'_>> {
+        self.conditions.iter().map(|own| Passage::of(own))
     }
 }
 

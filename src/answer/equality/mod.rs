@@ -35,7 +35,7 @@ pub use self::drawn::{Drawn, Sampling};
 use self::judge::{AtPoint, DIFFERENT, Rooms};
 use self::residue::Residue;
 use super::meaning::Meaning;
-use crate::expr::{CompileError, Expr, Field, Kind, Name, Precise, Program};
+use crate::expr::{CompileError, Expr, Field, Kind, Name, Precise, Program, Registers};
 use crate::numerics::SortedMap;
 
 /// Points at which formulas are compared.
@@ -157,6 +157,16 @@ impl Points {
         }
         let ties = around.ties();
         Self { points, ties }
+    }
+
+    /// Whether all of some conditions hold at one of the points.
+    pub(crate) fn meet(&self, conditions: &[Condition]) -> bool {
+        let mut room = Registers::default();
+        let mut points = self.points.iter();
+        points.any(|point| {
+            let mut all = conditions.iter();
+            all.all(|condition| condition.holds(point, &mut room))
+        })
     }
 
     /// Compares a function with a key.

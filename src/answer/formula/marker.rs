@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use super::Setup;
 use super::slip::slip;
-use crate::answer::equality::{Comparable, Comparison, Points};
+use crate::answer::equality::{Comparable, Comparison, Condition, Points};
 use crate::answer::rounded::{rounding, settle_rounded, with_fractions};
 use crate::answer::settle::{Candidate, settle_by_rule};
 use crate::answer::{
@@ -525,6 +525,12 @@ impl Marker for Prepared {
         };
         let readings = readings.iter().map(|read| self.reading(&read.expr));
         Echo::of(readings).ok_or_else(|| Why::Incomparable.into())
+    }
+
+    fn may_hold(&self, condition: Passage<'_>) -> bool {
+        let (meaning, lexicon) = (&self.setup.meaning, &self.setup.lexicon);
+        let read = condition.comparison(lexicon, self.manner());
+        read.is_ok_and(|own| self.points.meet(&Condition::of(meaning, &[own])))
     }
 
     fn mark(&self, response: Passage<'_>) -> Marking {

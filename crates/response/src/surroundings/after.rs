@@ -6,7 +6,9 @@ use crate::counts::in_words;
 use crate::letters::{combining, greek_word};
 use crate::signs::{is_apostrophe, is_minus};
 use crate::words::ALIASES;
-use crate::words::{ASIDES, ENDS, OF_MINUS, REASONS, REMARKS, SEALS, TRAILS, TURNING, WORDS};
+use crate::words::{
+    ASIDES, COUNTING, ENDS, OF_MINUS, REASONS, REMARKS, SEALS, TRAILS, TURNING, WORDS,
+};
 use vibank_formula::expr::Function;
 use vibank_formula::unit::Unit;
 use vibank_source::lower;
@@ -131,16 +133,24 @@ fn aside(text: &str) -> Option<usize> {
     };
     // One word alone may name an option, `underdamped (aperiodic)`; after a value it is a remark, `0.285 (underdamped)`,
     // unless it says of the value that it is another one, `20 mm (left)`.
-    let is_negative = || {
-        let value = before.rsplit('=').next().unwrap_or(before);
-        value.trim_start().starts_with(is_minus) && OF_MINUS.contains(&lower(aside).as_str())
+    let value = before.rsplit('=').next().unwrap_or(before);
+    let is_negative = value.trim_start().starts_with(is_minus);
+    let is_alone = words.clone().count() == 1;
+    let turns = |word: &str| {
+        let word = lower(word.trim_end_matches([',', ';', '.', '!', '?']));
+        let is_in = |words: &[&str]| words.contains(&word.as_str());
+        let agrees = is_negative && is_in(OF_MINUS);
+        is_in(TURNING) && !agrees || is_alone && is_in(COUNTING)
     };
-    let turns = || TURNING.contains(&lower(aside).as_str()) && !is_negative();
-    let is_of_value = || ends_in_value(before) && !turns();
+    let is_remark = if ends_in_value(before) {
+        !words.clone().any(turns)
+    } else {
+        !is_alone
+    };
     // `(both included)` says of a range what belongs to it.
     let says_ends = ENDS.iter().any(|(own, _)| aside.ends_with(own));
     let are_words = !says_ends
-        && (words.clone().count() > 1 || is_of_value())
+        && is_remark
         && !words.clone().any(is_spoken_sign)
         && words.clone().all(is_word)
         && words.any(is_no_letter)

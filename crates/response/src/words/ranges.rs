@@ -15,6 +15,8 @@ pub(crate) const CONDITIONS: &[&str] = &[
     "if",
     "when",
     "whenever",
+    "where",
+    "with",
     "wenn",
     "all values of",
     "all values",

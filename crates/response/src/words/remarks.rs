@@ -57,6 +57,12 @@ pub(crate) const TURNING: &[&str] = &[
     "downwards",
     "upward",
     "upwards",
+    "forward",
+    "forwards",
+    "backward",
+    "backwards",
+    "opposite",
+    "reversed",
     "above",
     "below",
     "compressed",
@@ -87,15 +93,14 @@ pub(crate) const TURNING: &[&str] = &[
     "half",
     "double",
     "doubled",
-    "each",
-    "both",
-    "total",
     "maybe",
     "wrong",
     "false",
     "modulo",
-    "times",
 ];
+
+/// Words that alone say of how many a value is; among others they may say that it is that of all, `both ways`.
+pub(crate) const COUNTING: &[&str] = &["each", "both", "total", "times"];
 
 /// Words after a value with a minus that say no more than the minus.
 pub(crate) const OF_MINUS: &[&str] = &[
