@@ -14,8 +14,8 @@ use crate::answer::meaning::ORDERS;
 use crate::answer::settle::{Candidate, settle_by_rule};
 use crate::answer::trial::typed as typed_number;
 use crate::answer::{
-    Close, Credit, Doubt, Key, Marker, Marking, Misfit, Mistaken, Nature, Reading, Remark, Slip,
-    Tolerance, Trial,
+    Close, Credit, Doubt, Echo, Key, Marker, Marking, Misfit, Mistaken, Nature, Reading, Remark,
+    Slip, Tolerance, Trial, Unreadable, Why,
 };
 use crate::expr::{Expr, Form, Inputs, Kind, Precise, Scalar, Undefined};
 use crate::numerics::SortedMap;
@@ -34,6 +34,8 @@ pub(crate) struct Response {
     pub(crate) values: Vec<Vec<f64>>,
     /// What else may have been meant, where the rules for products without signs say what is.
     pub(crate) others: Vec<Expr>,
+    /// Why it is not marked, where its other sides are other functions.
+    pub(crate) contradiction: Option<Unreadable>,
 }
 
 /// Less than this share of a half-width is a rounding of the machine.
@@ -262,6 +264,11 @@ impl Marker for Prepared<'_> {
 
     fn mark(&self, response: Passage<'_>) -> Marking {
         match read(self, response) {
+            Ok(Response {
+                contradiction: Some(why),
+                ..
+            })
+            | Err(why) => Marking::unreadable(why),
             Ok(response) => {
                 let others = response.others.clone().into_iter();
                 let candidate = |response: Response| Candidate {
@@ -273,8 +280,16 @@ impl Marker for Prepared<'_> {
                 let written = || self.setup.lexicon.written(&read);
                 settle_by_rule(self.doubt, self.judged(response), written, others)
             }
-            Err(why) => Marking::unreadable(why),
         }
+    }
+
+    fn echo(&self, response: Passage<'_>) -> Result<Echo, Unreadable> {
+        let read = read(self, response)?;
+        let others = read
+            .others
+            .into_iter()
+            .map(|other| bare(self, other).reading);
+        Echo::of([read.reading].into_iter().chain(others)).ok_or_else(|| Why::Incomparable.into())
     }
 }
 

@@ -72,13 +72,12 @@ fn alone(key: &Prepared<'_>, response: Passage<'_>) -> Result<Response, Unreadab
     {
         return Err(Unreadable::at(*condition, Why::OutsideOfSpan));
     }
-    for form in &forms {
-        let same = key
-            .values_of(form)
-            .is_some_and(|values| key.fits(&read.values, &values));
-        if !same {
-            return Err(Why::UnequalFunctions(last.into()).into());
-        }
+    let is_same = |form: &Expr| {
+        let values = key.values_of(form);
+        values.is_some_and(|values| key.fits(&read.values, &values))
+    };
+    if !forms.iter().all(is_same) {
+        read.contradiction = Some(Why::UnequalFunctions(last.into()).into());
     }
     Ok(read)
 }
@@ -135,6 +134,7 @@ fn by_pieces(
         units: first.units,
         expr,
         others: Vec::new(),
+        contradiction: None,
     })
 }
 
@@ -254,6 +254,7 @@ pub(crate) fn bare(key: &Prepared<'_>, expr: Expr) -> Response {
         units,
         expr,
         others: Vec::new(),
+        contradiction: None,
     }
 }
 
@@ -304,6 +305,7 @@ fn with_unit(key: &Prepared<'_>, typed: Passage<'_>) -> Option<Result<Response, 
         units,
         expr: formula,
         others: Vec::new(),
+        contradiction: None,
     }))
 }
 

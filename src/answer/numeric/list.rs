@@ -121,12 +121,15 @@ fn unranked(
     }
     let unit = unit.or_else(|| items.last().map(|(_, last)| last.quantity.unit));
     if let Some(unit) = unit {
-        items
-            .iter_mut()
-            .filter(|(_, item)| item.quantity.unit.is_one())
-            .for_each(|(_, item)| item.quantity.unit = unit);
+        give(&mut items, unit);
     }
     if items.iter().all(|(label, _)| label.is_some()) {
+        // In another order the last of them may have a unit, which the others do not share: `ω2 = 9 Hz, ω1 = 5`.
+        if let Some((asked, _)) = setting.steps
+            && items.iter().any(|(_, item)| !item.quantity.unit.is_one())
+        {
+            give(&mut items, *asked);
+        }
         crate::numerics::sort_by_key(&mut items, |(label, _)| *label);
         let sizes = items.iter().map(|(_, item)| item.quantity.si());
         if !is_ordered && is_frequency && !sizes.is_sorted() {
@@ -142,6 +145,14 @@ fn unranked(
         items,
         are_about_mean,
     })
+}
+
+/// Gives numbers without a unit this one.
+fn give(items: &mut [(Option<u32>, TypedNumber)], unit: Unit) {
+    let bare = items
+        .iter_mut()
+        .filter(|(_, item)| item.quantity.unit.is_one());
+    bare.for_each(|(_, item)| item.quantity.unit = unit);
 }
 
 /// The numbers of a list, each with what belongs to it, and whether they are said to ascend.
