@@ -1,6 +1,6 @@
 //! Words, as responses and options are made of: without regard to case, spacing and the signs around them.
 
-use super::letters::greek_word;
+use super::letters::{Letters, greek_word};
 use super::words::{ANNOUNCEMENTS, CLAUSES, DOUBTS, JOINTS, WITHDRAWALS};
 use super::{Folded, Passage, Wording};
 use vibank_source::lower;
@@ -66,6 +66,20 @@ impl Phrase {
     /// Whether both are the same words.
     pub fn is_same(&self, other: &Self) -> bool {
         self.plain == other.plain
+    }
+
+    /// Whether they are a name, in any of its spellings: `θ` and `theta`.
+    pub fn is_called(&self, name: &str) -> bool {
+        let own = self.plain.trim_start_matches('\\');
+        self.is(&lower(name))
+            || Letters::spelling(own).is_some_and(|own| Some(own) == Letters::spelling(name))
+    }
+
+    /// The index of the symbol that they are, `block` of `v_block`.
+    pub fn index(&self) -> Option<Self> {
+        let (symbol, index) = self.plain.split_once('_')?;
+        let is_letter = Self::of(symbol).letter().is_some();
+        is_letter.then(|| Self::of(index.trim_matches(['{', '}'])))
     }
 
     /// Whether there are several.

@@ -182,7 +182,7 @@ impl Chosen {
         let printed = options.words.iter().position(same);
         printed
             .or_else(|| options.sources.iter().position(same))
-            .or_else(|| options.ids.iter().position(|id| same(&Phrase::of(id))))
+            .or_else(|| options.ids.iter().position(|id| words.is_called(id)))
             .or_else(|| options.words.iter().position(|own| own.is_joined_as(words)))
     }
 
@@ -283,7 +283,12 @@ impl Chosen {
         {
             pieces = letters;
         }
-        let place = |piece: &Phrase| self.place(piece).ok_or_else(|| piece.typed().to_owned());
+        // `v_block > v_sphere`
+        let of_index = |piece: &Phrase| self.place(&piece.index().filter(|_| self.is_ranking)?);
+        let place = |piece: &Phrase| {
+            let place = self.place(piece).or_else(|| of_index(piece));
+            place.ok_or_else(|| piece.typed().to_owned())
+        };
         let places: Vec<usize> = pieces.iter().map(place).collect::<Result<_, _>>()?;
         // `if K = 0 and a = 0` is not "if K = 0 or a = 0".
         let are_parts = self.is_one() && places.windows(2).all(|pair| pair[0] == pair[1]);
