@@ -2,14 +2,14 @@
 
 use super::reworded::{Reworded, of_spoken_numbers};
 use super::words::CORRECTIONS;
-use super::{Passage, aside, sides};
+use super::{Passage, aside, determinant, sides};
 
 /// What is read in place of a text; none where it has nothing of the kind.
 type Rereading = fn(&str) -> Option<Reworded>;
 
 /// The ways, in the order in which they are tried. What comes out of one is an answer where it is right, so that no way
 /// makes a wrong one of what could not be read.
-const WAYS: [Rereading; 7] = [
+const WAYS: [Rereading; 8] = [
     // What is said after an answer, where it holds or where it comes from, does not change it.
     |text| {
         let before = aside::before(text)?;
@@ -23,6 +23,8 @@ const WAYS: [Rereading; 7] = [
     |text| aside::behind(text).map(Reworded::from),
     // What steps lead to is the answer: `½ k (2x)² = ½ (4k) x² → 4k`.
     |text| Some(Reworded::from(Passage::of(text).concluded()?.text())),
+    // `|a b; c d| = 0`
+    |text| determinant::of_bars(text).map(Reworded::of),
     // What is corrected is no answer.
     |text| corrected(text).map(Reworded::from),
     // Last, since `two` and `half` count things in what is said beside an answer, too.

@@ -52,6 +52,14 @@ pub(crate) fn determinant(text: &str, at: usize, lexicon: &Lexicon) -> Option<(I
     })
 }
 
+/// An equation that begins with a matrix between bars, whose rows semicolons part, by the name of its determinant.
+pub(crate) fn of_bars(text: &str) -> Option<String> {
+    let (matrix, rest) = text.strip_prefix('|')?.split_once('|')?;
+    matrix
+        .contains(';')
+        .then(|| format!("det([{matrix}]){rest}"))
+}
+
 /// Whether a text begins with the name of a determinant.
 fn is_called(text: &str) -> bool {
     NAMES.iter().any(|name| text.starts_with(name))

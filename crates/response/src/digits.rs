@@ -105,6 +105,31 @@ impl Lexer<'_> {
         true
     }
 
+    /// An integer and the sign of a fraction right after it, `1½`, as one number; whether the sign stands here.
+    pub(crate) fn mixed(&mut self, char: char) -> bool {
+        let (Some(fraction), Some(last)) = (fraction(char), self.tokens.last()) else {
+            return false;
+        };
+        let span = last.span.range();
+        let is_integer = self.text[span.clone()]
+            .bytes()
+            .all(|byte| byte.is_ascii_digit());
+        let Item::Number(whole) = last.item else {
+            return false;
+        };
+        let Some(sum) = whole
+            .checked_add(fraction)
+            .filter(|_| is_integer && span.end == self.at)
+        else {
+            return false;
+        };
+        self.is_spaced = last.is_spaced;
+        self.tokens.pop();
+        self.at += char.len_utf8();
+        self.push(Item::Number(sum), span.start);
+        true
+    }
+
     /// Whether a comma here parts arguments, or may do so.
     pub(crate) fn parts_arguments(&self) -> bool {
         self.comma_here() != Comma::Decimal

@@ -20,7 +20,10 @@ pub(crate) fn laid_out(text: &str) -> String {
 fn slashed(text: &str) -> Option<String> {
     let start = text.find('=').map_or(0, |label| label + 1);
     let rows: Vec<&str> = text[start..].split(" / ").collect();
-    let is_whole = |row: &&str| row.split_whitespace().count() == rows.len();
+    let is_whole = |row: &&str| {
+        let entries = row.split(|char: char| char.is_whitespace() || ",;".contains(char));
+        entries.filter(|entry| !entry.is_empty()).count() == rows.len()
+    };
     let is_square = rows.len() > 1 && rows.iter().all(is_whole);
     is_square.then(|| text[..start].to_owned() + &rows.join(" ; "))
 }

@@ -123,6 +123,7 @@ impl<'a> Lexer<'a> {
             || self.times_as_letter(char)
             || self.base_of_exponential(char)
             || self.factorial(char)
+            || self.mixed(char)
         {
             return Ok(());
         }

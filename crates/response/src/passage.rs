@@ -308,6 +308,20 @@ impl<'t> Passage<'t> {
         asked.trimmed_off(self.0).map(Self::of)
     }
 
+    /// A number without what says that something is multiplied by it, `2.55x`, `2.55-fold`.
+    pub fn without_times(self) -> Option<Self> {
+        let mut ends = ["x", "*", "-fold", "fold"].into_iter();
+        let number = ends.find_map(|end| self.0.strip_suffix(end))?.trim_end();
+        number
+            .ends_with(|last: char| last.is_ascii_digit())
+            .then_some(Self::of(number))
+    }
+
+    /// A value whose unit is in the plural in the singular, `5 kgs`.
+    pub fn in_singular(self) -> Option<Self> {
+        self.0.strip_suffix('s').map(Self::of)
+    }
+
     /// The unit that it is, as one of them.
     pub fn one_of_unit(self) -> Reworded {
         Reworded::of(format!("1 {}", self.0))

@@ -119,6 +119,7 @@ fn the_signs_of_paper_are_read() {
         ("3e-4k", "0.0003*k"),
         ("2,5k", "2.5*k"),
         ("½ m x'^2", "0.5*m*x'^2"),
+        ("2½ m x'^2", "2.5*m*x'^2"),
         ("sin x", "sin(x)"),
         ("sin^2 x", "sin(x)^2"),
         ("sin²(x)", "sin(x)^2"),

@@ -194,6 +194,12 @@ impl Setting<'_> {
             .is_some_and(|(_, steps)| steps.are_derived_in(side))
     }
 
+    /// Whether a unit has the dimension of what is asked.
+    fn fits(&self, unit: &Unit) -> bool {
+        let asked = self.steps.map(|(asked, _)| asked);
+        asked.is_some_and(|asked| asked.dimension() == unit.dimension())
+    }
+
     /// Whether a side is a power of what is asked.
     fn vanishes(&self, side: Passage<'_>) -> bool {
         self.steps.is_some_and(|(_, steps)| steps.vanishes(side))
@@ -240,8 +246,17 @@ pub(crate) fn number(
         let concluded = || concluded(response, setting);
         // Last, since an uncertainty says more of a value than the words beside it.
         let without_spread = || number_alone(response.without_spread()?.passage(), setting).ok();
+        let in_singular = || {
+            let number = number_alone(response.in_singular()?, setting).ok()?;
+            (!number.quantity.unit.is_one()).then_some(number)
+        };
+        let multiplied = || number_alone(response.without_times()?, setting).ok();
+        let fits = |number: &TypedNumber| setting.fits(&number.quantity.unit);
+        let is_pure = |_: &TypedNumber| setting.steps.is_some_and(|(asked, _)| asked.is_one());
         without_words()
             .or_else(concluded)
+            .or_else(|| in_singular().filter(fits))
+            .or_else(|| multiplied().filter(is_pure))
             .or_else(without_spread)
             .ok_or(why)
     })
