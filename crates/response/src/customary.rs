@@ -50,6 +50,16 @@ pub(crate) fn indexed_frequencies() -> impl Iterator<Item = String> {
     letters.flat_map(|letter| INDICES.map(|index| format!("{letter}{index}")))
 }
 
+/// Whether a text is a symbol of the field that many questions leave to be defined, ω_n, ζ or λ.
+pub fn is_customary(text: &str) -> bool {
+    let own = Letters::spelling(text.trim_start_matches('\\'));
+    own.is_some_and(|own| {
+        let letters = DECAY_RATES.iter().chain(&DAMPING_RATIOS);
+        letters.into_iter().any(|letter| own == **letter)
+            || indexed_frequencies().any(|frequency| own == frequency)
+    })
+}
+
 /// The first name that may be used among these.
 fn allowed<'e>(entries: &'e [LexiconEntry], names: &[&str]) -> Option<&'e Name> {
     entries.iter().find_map(|entry| match entry {

@@ -2,7 +2,7 @@
 
 use crate::expr::CheckError;
 use crate::quantity::Absent;
-use crate::response::{At, Folded, LoneDollar, Passage, Trouble, TypedError};
+use crate::response::{At, Folded, LoneDollar, Passage, Trouble, TypedError, is_customary};
 use crate::unit::{Quantity, Unit};
 
 /// Why a response could not be read.
@@ -309,6 +309,18 @@ impl Unreadable {
     /// With its place as it was typed, in place of how it was read; none where nothing was typed for it.
     pub(crate) fn point_at_typed(&mut self, folded: &Folded<'_>) {
         self.at = self.at.as_ref().and_then(|at| folded.typed_at(at));
+    }
+
+    /// The symbol of the field at which reading stopped, where it would be read if the answer said what it is.
+    pub(crate) fn undefined(&self) -> Option<&str> {
+        let is_open = matches!(
+            *self.why,
+            Why::Formula(Trouble::Unknown { near: None, .. } | Trouble::NotAllowed(_))
+        );
+        match &self.at {
+            Some(At::Here(place)) if is_open && is_customary(place) => Some(place),
+            _ => None,
+        }
     }
 
     /// With an example.

@@ -13,6 +13,9 @@ pub(crate) fn unreadable(unreadable: &Unreadable) -> String {
         Some(At::Behind(place)) => format!("After `{place}`: {why}"),
         None => capital(&why),
     };
+    if let Some(symbol) = unreadable.undefined() {
+        sentence.push_str(&format!(" Or add what it is: `…, {symbol} = …`."));
+    }
     if let Some(example) = unreadable.example {
         if !sentence.is_empty() {
             sentence.push(' ');

@@ -14,6 +14,9 @@ pub(crate) fn unreadable(unreadable: &Unreadable) -> String {
         Some(At::Behind(place)) => format!("Après « {place} » : {why}"),
         None => capital(&why),
     };
+    if let Some(symbol) = unreadable.undefined() {
+        sentence.push_str(&format!(" Ou ajoutez ce que c’est : `…, {symbol} = …`."));
+    }
     if let Some(example) = unreadable.example {
         if !sentence.is_empty() {
             sentence.push(' ');
