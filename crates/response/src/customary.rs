@@ -25,7 +25,7 @@ pub(crate) const RATES: &[CustomaryRates] = &[
 pub(crate) const DECAY_RATES: [&str; 2] = ["lambda", "lam"];
 
 /// The letters of the damping ratio.
-const DAMPING_RATIOS: [&str; 2] = ["zeta", "xi"];
+pub(crate) const DAMPING_RATIOS: [&str; 2] = ["zeta", "xi"];
 
 /// What is written below the letter of a natural frequency.
 const INDICES: [&str; 4] = ["0", "n", "o", "N"];

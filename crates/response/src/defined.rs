@@ -2,13 +2,15 @@
 //! their place.
 
 use super::arguments::{is_initial_state, without_arguments};
-use super::customary::{DECAY_RATES, RATES};
+use super::customary::{DAMPING_RATIOS, DECAY_RATES, RATES};
 use super::differential::spelling;
 use super::list::{cut_where, trimmed};
 use super::sides::is_word;
 use super::signs::is_apostrophe;
 use super::statements::{moved, statements};
-use super::{Chain, Lexicon, Manner, Passage, Trouble, Typed, TypedError, formula_at, sides};
+use super::{
+    Chain, Lexicon, Manner, Passage, Trouble, Typed, TypedError, formula_at, letters, sides,
+};
 use vibank_formula::expr::{Expr, Function, Kind, Name, Operator, Substitution};
 use vibank_formula::unit::Unit;
 use vibank_source::Span;
@@ -21,8 +23,8 @@ pub(crate) struct Definition {
     pub(crate) order: u8,
     /// Whether it is said of its square, `ω_n² = k/m`.
     pub(crate) is_square: bool,
-    /// The number by which it is multiplied, `2λ = c/m`.
-    pub(crate) factor: i32,
+    /// By what it is multiplied, `2λ = c/m`.
+    pub(crate) factor: Option<Expr>,
     /// Whether the lexicon has the letter.
     pub(crate) is_known: bool,
     /// Whether the question has it, be it that the answer may not use it.
@@ -63,18 +65,13 @@ pub(crate) fn said(text: &str, statement: Span, lexicon: &Lexicon, may_be_produc
     let read = |side: Option<&Span>, may_be_product| {
         side.and_then(|side| letter(&text[side.range()], lexicon, may_be_product))
     };
-    // `2λ = c/m`
-    let multiple = sides.first().and_then(|side| {
-        let (factor, rest) = factor_before(&text[side.range()])?;
-        let own = letter(rest, lexicon, false).filter(|own| !own.is_known)?;
-        Some((factor, own))
-    });
-    let factor = multiple.as_ref().map_or(1, |(factor, _)| *factor);
+    let multiple = sides
+        .first()
+        .and_then(|side| multiple(&text[side.range()], lexicon));
+    let (factor, multiplied) = multiple.unzip();
     // What a letter is, `k = ρgS`, is no letter of its own.
     let (first, last) = (
-        multiple
-            .map(|(_, own)| own)
-            .or_else(|| read(sides.first(), may_be_product)),
+        multiplied.or_else(|| read(sides.first(), may_be_product)),
         read(sides.last(), false),
     );
     let letter = match (first, last) {
@@ -107,6 +104,24 @@ pub(crate) fn said(text: &str, statement: Span, lexicon: &Lexicon, may_be_produc
         is_of_question: letter.is_of_question,
         values: sides.into_iter().map(|side| moved(side, start)).collect(),
         formula: None,
+    })
+}
+
+/// The letter of which a multiple is said, `2λ = c/m`, `2ζω_n = c/m`, after what it is multiplied by.
+fn multiple(side: &str, lexicon: &Lexicon) -> Option<(Expr, Letter)> {
+    let own = |text: &str| letter(text, lexicon, false).filter(|own| !own.is_known);
+    let (factor, rest) = factor_before(side).unwrap_or((1, side));
+    let with_ratio = || {
+        let (length, name) = letters::letter(rest)?;
+        let ratio = own(&rest[..length]).filter(|_| DAMPING_RATIOS.contains(&name.as_str()))?;
+        let other = rest[length..].trim_start_matches([' ', '*']);
+        let other = letter(other, lexicon, false)?;
+        let is_plain = other.order == 0 && !other.is_square;
+        is_plain.then(|| (Expr::number(factor) * Expr::name(other.name), ratio))
+    };
+    with_ratio().or_else(|| {
+        let is_multiplied = rest.len() < side.len();
+        is_multiplied.then(|| own(rest).map(|own| (Expr::number(factor), own)))?
     })
 }
 
@@ -257,7 +272,7 @@ fn customary(lexicon: &Lexicon) -> Vec<Definition> {
             name: Name::new(*letter),
             order: 0,
             is_square: false,
-            factor: 1,
+            factor: None,
             is_known: false,
             is_of_question: false,
             values: Vec::new(),
@@ -454,9 +469,9 @@ fn substituted(
 impl Definition {
     /// The letter by what is said of it, of its square or of a multiple.
     fn value_of(&self, value: &Expr) -> Expr {
-        let value = match self.factor {
-            1 => value.clone(),
-            factor => value.clone() / Expr::number(factor),
+        let value = match &self.factor {
+            None => value.clone(),
+            Some(factor) => value.clone() / factor.clone(),
         };
         if self.is_square {
             return Expr::derived(Kind::Call(Function::Sqrt, vec![value]));
