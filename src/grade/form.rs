@@ -309,7 +309,10 @@ pub(crate) fn is_doubtful(marking: &Marking) -> bool {
         };
         matches!(
             why,
-            Why::TwoReadings(..) | Why::CommaOfThree { .. } | Why::RoundedNumbers
+            Why::TwoReadings(..)
+                | Why::CommaOfThree { .. }
+                | Why::RoundedNumbers
+                | Why::Figures { .. }
         )
     })
 }

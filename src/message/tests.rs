@@ -374,6 +374,11 @@ fn reasons() -> Vec<Why> {
         Why::InitialState,
         Why::IncomparableEquation,
         Why::RoundedNumbers,
+        Why::Figures {
+            asked: 4,
+            number: "1.99".to_owned(),
+            has: 3,
+        },
         Why::ValuesForLetters,
         Why::EntriesAsNumbers,
         Why::IncomparableEntries,

@@ -308,9 +308,9 @@ impl<'t> Passage<'t> {
         asked.trimmed_off(self.0).map(Self::of)
     }
 
-    /// A number without what says that something is multiplied by it, `2.55x`, `2.55-fold`.
-    pub fn without_times(self) -> Option<Self> {
-        let mut ends = ["x", "*", "-fold", "fold"].into_iter();
+    /// A number without what says that it has no unit, `0.2 -`, `2.55x`, `2.55-fold`.
+    pub fn without_sign_of_ratio(self) -> Option<Self> {
+        let mut ends = ["-fold", "fold", "x", "*", "-"].into_iter();
         let number = ends.find_map(|end| self.0.strip_suffix(end))?.trim_end();
         number
             .ends_with(|last: char| last.is_ascii_digit())

@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use super::MIN_FIGURES;
 use super::bands::bands;
 use super::list::{List, list, mark_list};
 use super::read::{self, Setting, TypedNumber};
@@ -41,6 +42,8 @@ pub(crate) struct Numbers {
     pub(crate) within: Option<[f64; 2]>,
     pub(crate) is_list: bool,
     pub(crate) is_ordered: bool,
+    /// Significant figures that the line for the answer asks for.
+    pub(crate) figures: u32,
     pub(crate) ask_digits: Option<u32>,
     pub(crate) digits_penalty: Credit,
     pub(crate) digits: u32,
@@ -119,8 +122,26 @@ impl Numbers {
         if let Some(marking) = self.mistake(&reading, std::slice::from_ref(number), &[typed]) {
             return marking;
         }
+        if self.doubt != Doubt::Benefit
+            && let Some(why) = self.rounded_too_far(target, typed, number)
+        {
+            return Marking::unreadable(why);
+        }
         let slip = slip(self, &[typed], &quantity.unit);
         Marking::wrong(reading, slip.map(Remark::from))
+    }
+
+    /// What is said of a number outside of the tolerance that is the key, rounded to fewer figures than are asked for.
+    fn rounded_too_far(&self, target: &Target, typed: Typed, number: &TypedNumber) -> Option<Why> {
+        let decimal = &number.quantity.value;
+        let (asked, has) = (self.figures, decimal.significant_figures());
+        // With two figures much is rounded to the same.
+        let is_rounded = (MIN_FIGURES..asked).contains(&has) && number.arithmetic.is_none();
+        let place = Quantity::new(decimal.last_place(), number.quantity.unit);
+        let half = 0.5 * self.si(&place).ok()?.hi().abs() + target.slack();
+        let is_near = target.distance(typed, self.modulo) <= half;
+        let number = decimal.to_string();
+        (is_rounded && is_near).then_some(Why::Figures { asked, number, has })
     }
 
     /// What is said of an angle that is right but for whole turns, where it is asked within an interval.

@@ -336,6 +336,7 @@ impl Answer for Numeric {
             within: self.within,
             is_list: self.is_list,
             is_ordered: self.is_ordered,
+            figures: self.figures,
             ask_digits: self.ask_digits,
             digits_penalty: self.digits_penalty,
             digits: self.digits,

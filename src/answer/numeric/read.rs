@@ -250,13 +250,13 @@ pub(crate) fn number(
             let number = number_alone(response.in_singular()?, setting).ok()?;
             (!number.quantity.unit.is_one()).then_some(number)
         };
-        let multiplied = || number_alone(response.without_times()?, setting).ok();
+        let ratio = || number_alone(response.without_sign_of_ratio()?, setting).ok();
         let fits = |number: &TypedNumber| setting.fits(&number.quantity.unit);
         let is_pure = |_: &TypedNumber| setting.steps.is_some_and(|(asked, _)| asked.is_one());
         without_words()
             .or_else(concluded)
             .or_else(|| in_singular().filter(fits))
-            .or_else(|| multiplied().filter(is_pure))
+            .or_else(|| ratio().filter(is_pure))
             .or_else(without_spread)
             .ok_or(why)
     })

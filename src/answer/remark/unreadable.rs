@@ -191,6 +191,15 @@ pub enum Why {
     IncomparableEquation,
     /// Right but for the rounding of numbers that a formula asks for exactly.
     RoundedNumbers,
+    /// A number that may be right has fewer figures than are asked for.
+    Figures {
+        /// The number of significant figures that are asked for.
+        asked: u32,
+        /// The number.
+        number: String,
+        /// How many it has.
+        has: u32,
+    },
     /// Values in place of the letters of the question.
     ValuesForLetters,
 

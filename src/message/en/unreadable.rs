@@ -175,6 +175,9 @@ fn why(why: &Why) -> String {
         Why::IncomparableEquation => {
             "this equation cannot be compared; write it in a simpler form.".to_owned()
         }
+        Why::Figures { asked, number, has } => {
+            format!("{asked} significant figures are asked for, `{number}` has {has}.")
+        }
         Why::RoundedNumbers => {
             "its numbers are rounded; give them exactly, as fractions, roots or multiples of π."
                 .to_owned()

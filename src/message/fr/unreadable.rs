@@ -172,6 +172,9 @@ fn why(why: &Why) -> String {
         Why::IncomparableEquation => {
             "cette équation ne peut pas être comparée ; écrivez-la plus simplement.".to_owned()
         }
+        Why::Figures { asked, number, has } => {
+            format!("{asked} chiffres significatifs sont demandés, `{number}` en a {has}.")
+        }
         Why::RoundedNumbers => {
             "ses nombres sont arrondis ; donnez-les exactement, par des fractions, des racines ou des multiples de π."
                 .to_owned()

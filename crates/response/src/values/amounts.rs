@@ -255,10 +255,9 @@ impl Values<'_> {
         Some(amount)
     }
 
-    /// Without the sign of a number that has no unit: `[-]`, `[1]`, `-`.
+    /// Without the sign of a number that has no unit: `[-]`, `(-)`, `[1]`.
     fn without_mark(&self, part: &Part) -> Part {
         let length = match &self.tokens[part.clone()] {
-            [.., number, dash] if number.literal.is_some() && dash.item == Item::Sign('-') => 1,
             [_, .., open, sign, close] => {
                 let are_round = (&open.item, &close.item) == (&Item::Sign('('), &Item::Sign(')'));
                 let are_square = (&open.item, &close.item) == (&Item::Sign('['), &Item::Sign(']'));
