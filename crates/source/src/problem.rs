@@ -79,12 +79,11 @@ const SYNONYMS: [(&str, &str); 14] = [
 
 /// The known key that is nearest to another one, in its letters or by its meaning.
 fn meant(key: &str, known: &[&'static str]) -> Option<&'static str> {
-    let by_meaning = || {
+    nearest(key, known.iter().copied()).or_else(|| {
         let mut synonyms = SYNONYMS.iter();
         let (_, meant) = synonyms.find(|(word, meant)| *word == key && known.contains(meant))?;
         Some(*meant)
-    };
-    nearest(key, known.iter().copied()).or_else(by_meaning)
+    })
 }
 
 /// A table as messages call it; the table of the whole file has no name.
