@@ -21,11 +21,10 @@ pub fn share_out(whole: Rational, weights: &[Rational]) -> Vec<Rational> {
     let total = Rational::sum(weights);
     let steps = STEPS.into_iter();
     let shares = steps.filter_map(|step| in_steps(whole, step, weights, total?));
-    let has_something = |shares: &Vec<Rational>| {
+    let mut fair = shares.filter(|shares| {
         let mut pairs = shares.iter().zip(weights);
         pairs.all(|(share, weight)| !share.is_zero() || weight.is_zero())
-    };
-    let mut fair = shares.filter(has_something);
+    });
     fair.next().unwrap_or_else(|| exact(whole, weights, total))
 }
 

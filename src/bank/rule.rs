@@ -27,6 +27,22 @@ impl Rule {
         Self(Code::CHECK_NO_SECOND_ROUTE),
         Self(Code::CHECK_NO_HINT),
         Self(Code::CHECK_NO_SOLUTION),
+        Self(Code::CHECK_STILL_FIGURE),
+    ];
+
+    /// Those that ask what is drawn.
+    const BY_DRAWS: &[Code] = &[
+        Code::CHECK_MISTAKE_RIGHT,
+        Code::CHECK_MISTAKE_UNMET,
+        Code::CHECK_MISTAKES_ALIKE,
+        Code::CHECK_METHOD_RIGHT,
+        Code::CHECK_FEW_METHODS,
+        Code::CHECK_HONEST_WORK,
+        Code::CHECK_REFUSED,
+        Code::CHECK_VARIANTS_DIFFER,
+        Code::CHECK_SMALL_COMPONENT,
+        Code::CHECK_ANSWERS_COINCIDE,
+        Code::CHECK_SAME_CHOICE,
     ];
 
     /// The rule of this name.
@@ -38,6 +54,11 @@ impl Rule {
     #[cfg(feature = "render")]
     pub(crate) fn of_code(code: Code) -> Option<Self> {
         Self::ALL.iter().copied().find(|rule| rule.0 == code)
+    }
+
+    /// Whether it finds the same however many draws are examined.
+    pub(crate) fn holds_for_all_draws(self) -> bool {
+        !Self::BY_DRAWS.contains(&self.0)
     }
 
     /// Its name, as exceptions have it.

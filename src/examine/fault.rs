@@ -109,6 +109,10 @@ pub(crate) enum QuestionFault {
     NoHint { part: String },
     #[error("part `{part}` has no worked solution")]
     NoSolution { part: String },
+    #[error("the item has a model, and its figure stands still")]
+    StillFigure,
+    #[error("the item keeps the rule `{rule}`, from which it is excepted")]
+    NeedlessException { rule: String, place: Span },
     #[error(
         "{draws} draws of this item take more than {limit} million steps; the other draws were not examined"
     )]
@@ -138,6 +142,8 @@ impl QuestionFault {
             | Self::VariantsDiffer { .. }
             | Self::ManyQuestions { .. }
             | Self::UnusedDatum { .. }
+            | Self::StillFigure
+            | Self::NeedlessException { .. }
             | Self::Work { .. } => None,
         }
     }
@@ -147,6 +153,8 @@ impl QuestionFault {
         let place = match self {
             Self::Redrawn { constraint, .. } => definition(&template.source.text, constraint),
             Self::UnusedDatum { datum } => definition(&template.source.text, datum),
+            Self::StillFigure => line(&template.source.text, |line| line.starts_with("[figure]")),
+            Self::NeedlessException { place, .. } => *place,
             _ => self
                 .part()
                 .map_or(Span::NONE, |part| part_place(&template.source.text, part)),
@@ -231,15 +239,19 @@ impl Diagnose for QuestionFault {
             Self::NoSecondRoute { .. } => Code::CHECK_NO_SECOND_ROUTE,
             Self::NoHint { .. } => Code::CHECK_NO_HINT,
             Self::NoSolution { .. } => Code::CHECK_NO_SOLUTION,
+            Self::StillFigure => Code::CHECK_STILL_FIGURE,
+            Self::NeedlessException { .. } => Code::CHECK_NEEDLESS_EXCEPTION,
             Self::Work { .. } => Code::SIZE,
         }
     }
 
     fn severity(&self) -> Severity {
         match self {
-            Self::NoSecondRoute { .. } | Self::NoHint { .. } | Self::NoSolution { .. } => {
-                Severity::Warning
-            }
+            Self::NoSecondRoute { .. }
+            | Self::NoHint { .. }
+            | Self::NoSolution { .. }
+            | Self::StillFigure
+            | Self::NeedlessException { .. } => Severity::Warning,
             // It costs time and makes variants alike, and sheets are made all the same.
             Self::Redrawn { left, .. } if *left >= 1.0 => Severity::Warning,
             _ => Severity::Error,
@@ -305,6 +317,10 @@ impl Diagnose for QuestionFault {
             }
             Self::NoHint { .. } => "give `hints`: first the principle, then the first step",
             Self::NoSolution { .. } => "give `solution`",
+            Self::StillFigure => {
+                "move it by `[figure.motion]`, or except it from `still-figure` by `[[allow]]`, with the reason"
+            }
+            Self::NeedlessException { .. } => "drop this `[[allow]]`",
             Self::Work { .. } => {
                 "write integrals and roots in closed form, or keep them out of each other and away from singular ends"
             }

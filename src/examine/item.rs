@@ -21,6 +21,10 @@ pub(crate) fn faults(template: &Template, solution: &Solution<'_>) -> Vec<Questi
         let most = MAX_QUESTIONS;
         faults.push(QuestionFault::ManyQuestions { count, most });
     }
+    let figure = template.figure.as_ref();
+    if figure.is_some_and(|figure| !figure.moves()) && template.graph.derived("model").is_some() {
+        faults.push(QuestionFault::StillFigure);
+    }
     for part in &template.parts {
         faults.extend(option_form(part));
         faults.extend(missing(template, part));

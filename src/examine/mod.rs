@@ -19,7 +19,7 @@ use self::fault::QuestionFault;
 pub use self::part::PartExamined;
 use self::part::QuestionTally;
 use crate::answer::AnswerKind;
-use crate::bank::{Rule, Template};
+use crate::bank::{Allowed, Rule, Template};
 use crate::diagnostic::Finding;
 use crate::expr::Name;
 use crate::instance::{self, Instance};
@@ -94,6 +94,40 @@ impl Examination {
         }
         course.finish()
     }
+}
+
+/// The exceptions of an item that its faults need, and the findings that are left, exceptions without use among them.
+fn excepted(template: &Template, faults: Vec<QuestionFault>) -> (Vec<Exception>, Vec<Finding>) {
+    let mut used = vec![false; template.allowed.len()];
+    let mut findings = Vec::new();
+    for fault in faults {
+        let finding = fault.finding(template);
+        let rule = Rule::of_code(finding.code);
+        let excepts = |own: &Allowed| {
+            let mut parts = own.part.iter();
+            rule.is_some_and(|rule| rule.name() == own.rule.value)
+                && parts.all(|name| is_about(template, &fault, name))
+        };
+        match template.allowed.iter().position(excepts) {
+            Some(place) => used[place] = true,
+            None => findings.push(finding),
+        }
+    }
+    let mut exceptions = Vec::new();
+    for (own, is_used) in template.allowed.iter().zip(used) {
+        let (rule, place) = (own.rule.value.clone(), own.rule.span);
+        if is_used {
+            exceptions.push(Exception {
+                rule,
+                part: own.part.clone(),
+                reason: own.reason.clone(),
+            });
+        } else if Rule::of_name(&rule).is_some_and(Rule::holds_for_all_draws) {
+            let needless = QuestionFault::NeedlessException { rule, place };
+            findings.push(needless.finding(template));
+        }
+    }
+    (exceptions, findings)
 }
 
 /// The draws of an item so far.
@@ -252,29 +286,7 @@ impl<'t> ItemDraws<'t> {
                 faults.extend(of_draws.flatten());
             }
         }
-        let mut allowed = Vec::new();
-        let mut findings = Vec::new();
-        for fault in faults {
-            let finding = fault.finding(template);
-            let exception = template.allowed.iter().find(|own| {
-                let is_rule =
-                    Rule::of_code(finding.code).is_some_and(|rule| rule.name() == own.rule.value);
-                is_rule
-                    && own
-                        .part
-                        .as_deref()
-                        .is_none_or(|name| is_about(template, &fault, name))
-            });
-            match exception {
-                Some(own) => allowed.push(Exception {
-                    rule: own.rule.value.clone(),
-                    part: own.part.clone(),
-                    reason: own.reason.clone(),
-                }),
-                None => findings.push(finding),
-            }
-        }
-        allowed.dedup();
+        let (allowed, findings) = excepted(template, faults);
         Examination {
             item: template.id.to_string(),
             parts,

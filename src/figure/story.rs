@@ -1,11 +1,11 @@
 //! What pictures show, as data: a language words it for those who cannot see them.
 //!
-//! Nouns are the English ones of the elements, such as `spring`; each language has its own for them.
+//! Things are called as their elements say it, in each language.
 
 use super::element::Role;
 use super::part::Part;
 use super::schematic::Item;
-use super::{Path, Point};
+use super::{Noun, Path, Point};
 use crate::math::{Math, Voice};
 
 /// What a picture shows.
@@ -47,8 +47,8 @@ pub trait Speaker {
 /// An element of a schematic, by what it is and the letter at it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Thing {
-    /// The word for it, such as `spring`.
-    pub noun: &'static str,
+    /// The words for it, such as `spring`.
+    pub noun: Noun,
     /// What stands at it.
     pub label: Option<Math>,
 }
@@ -57,7 +57,7 @@ pub struct Thing {
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Sketch {
     /// The kinds of things in it, each once.
-    pub nouns: Vec<&'static str>,
+    pub nouns: Vec<Noun>,
     /// What stands or moves.
     pub bodies: Vec<Thing>,
     /// What joins them; links between the same two things are together.
@@ -223,7 +223,7 @@ pub struct Pointer {
 }
 
 impl Thing {
-    pub(crate) fn of(noun: &'static str, part: &Part<'_>) -> Self {
+    pub(crate) fn of(noun: Noun, part: &Part<'_>) -> Self {
         Self {
             noun,
             label: part.symbol.cloned(),
@@ -234,7 +234,9 @@ impl Thing {
     pub(crate) fn words(&self) -> String {
         let label = self.label.as_ref();
         let label = label.map_or_else(String::new, |label| label.spoken(Voice::ENGLISH));
-        format!("{} {label}", self.noun).trim_end().to_owned()
+        format!("{} {label}", self.noun.english)
+            .trim_end()
+            .to_owned()
     }
 }
 
@@ -247,7 +249,7 @@ pub(crate) fn sketch(items: &[Item], parts: &[Part<'_>]) -> Sketch {
     };
     for (item, part) in &elements {
         match item.kind.role() {
-            Role::Thing(noun @ ("force" | "moment")) => {
+            Role::Thing(noun @ (Noun::FORCE | Noun::MOMENT)) => {
                 let end = part.ends.first();
                 let on = end.and_then(|end| met(&elements, end.point, noun));
                 sketch.forces.push((Thing::of(noun, part), on));
@@ -262,11 +264,10 @@ pub(crate) fn sketch(items: &[Item], parts: &[Part<'_>]) -> Sketch {
             }
             Role::Ground | Role::Link(_) | Role::Mark => {}
         }
-        if let Role::Body(noun) | Role::Link(noun) | Role::Thing(noun) = item.kind.role()
-            && !sketch.nouns.contains(&noun)
-        {
-            sketch.nouns.push(noun);
-        }
+        let noun = item.kind.role().noun();
+        sketch
+            .nouns
+            .extend(noun.filter(|noun| !sketch.nouns.contains(noun)));
     }
     sketch
 }
@@ -300,7 +301,7 @@ fn joints(elements: &[(&Item, &Part<'_>)]) -> Vec<Joint> {
 }
 
 /// What lies at a point: a body, a bar or a ground.
-fn met(elements: &[(&Item, &Part<'_>)], point: Point, except: &str) -> Option<Thing> {
+fn met(elements: &[(&Item, &Part<'_>)], point: Point, except: Noun) -> Option<Thing> {
     // 1.2 mm in print: ends that look joined may lie a line's width apart.
     const NEAR: f64 = 0.12;
     let is_near_line = |part: &Part<'_>| {
@@ -319,7 +320,7 @@ fn met(elements: &[(&Item, &Part<'_>)], point: Point, except: &str) -> Option<Th
     });
     body.or_else(|| {
         elements.iter().find_map(|(item, part)| {
-            let Role::Link(noun @ ("bar" | "rod")) = item.kind.role() else {
+            let Role::Link(noun @ (Noun::BAR | Noun::ROD)) = item.kind.role() else {
                 return None;
             };
             (noun != except && is_near_line(part)).then(|| Thing::of(noun, part))
@@ -336,11 +337,15 @@ fn met(elements: &[(&Item, &Part<'_>)], point: Point, except: &str) -> Option<Th
 fn ground(part: &Part<'_>) -> Thing {
     let out = -(part.ends[1].point - part.ends[0].point).unit().left();
     let noun = if out.y.abs() >= out.x.abs() {
-        if out.y < 0.0 { "floor" } else { "ceiling" }
+        if out.y < 0.0 {
+            Noun::FLOOR
+        } else {
+            Noun::CEILING
+        }
     } else if out.x < 0.0 {
-        "wall on the left"
+        Noun::LEFT_WALL
     } else {
-        "wall on the right"
+        Noun::RIGHT_WALL
     };
     Thing { noun, label: None }
 }

@@ -6,7 +6,7 @@
 
 use std::sync::Arc;
 
-use crate::bank::{Parameter, ParameterError, Template};
+use crate::bank::{ParameterError, Template};
 use crate::expr::Precise;
 use crate::quantity::Evaluation;
 use crate::seed::{Seed, Stream, Streams};
@@ -139,22 +139,13 @@ impl<'t> Instance<'t> {
 
     fn draw_rest(&mut self, seed: Seed, is_set: &[bool]) -> Result<(), InstanceError> {
         let streams = Streams::of(seed, self.template.id.as_str());
-        let free = |(place, parameter): (usize, &'t Parameter)| {
+        let parameters = self.template.parameters.iter().enumerate();
+        let drawn = parameters.filter_map(|(place, parameter)| {
             let grid = parameter.grid.filter(|_| !is_set[place])?;
-            Some((
-                place,
-                parameter.unit,
-                grid,
-                streams.named(parameter.name.as_str()),
-            ))
-        };
-        let mut drawn: Vec<(usize, _, _, Stream)> = self
-            .template
-            .parameters
-            .iter()
-            .enumerate()
-            .filter_map(free)
-            .collect();
+            let stream = streams.named(parameter.name.as_str());
+            Some((place, parameter.unit, grid, stream))
+        });
+        let mut drawn: Vec<(usize, _, _, Stream)> = drawn.collect();
         if drawn.is_empty() {
             return Ok(());
         }

@@ -8,35 +8,6 @@ use vibank::instance::Instance;
 use vibank::scene::{Data, Run, Scene};
 use vibank::solution::Solution;
 
-/// Items of chapters 2 to 5 with a model whose figures stand still, and why.
-const STILL: [(&str, &str); 7] = [
-    (
-        "ch2/e6-torsion-pendulum",
-        "it twists about the line of sight's normal: nothing of it is seen from the side",
-    ),
-    (
-        "ch2/e7-lc-circuit",
-        "the charge of a circuit moves nothing that is drawn",
-    ),
-    ("ch2/t7-u-tube", "the liquid changes its form"),
-    (
-        "ch3/e8-rlc-circuit",
-        "the charge of a circuit moves nothing that is drawn",
-    ),
-    (
-        "ch3/t9-rlc-design",
-        "the charge of a circuit moves nothing that is drawn",
-    ),
-    (
-        "ch4/t4-vibration-absorber",
-        "its model is the machine alone, its figure has the absorber",
-    ),
-    (
-        "ch4/t6-series-rlc",
-        "the charge of a circuit moves nothing that is drawn",
-    ),
-];
-
 const HEAD: Head<'_> = Head {
     id: "a",
     title: "T",
@@ -85,24 +56,6 @@ fn at_rest_a_figure_that_moves_is_as_it_stands() {
             );
         }
     }
-}
-
-#[test]
-fn each_model_with_a_figure_moves_it() {
-    let catalogue = &*BANK;
-    let later = |item: &&Template| !item.id.as_str().starts_with("ch1/");
-    let modelled =
-        |item: &&Template| item.graph.derived("model").is_some() && item.figure.is_some();
-    let items = catalogue.items().filter(later).filter(modelled);
-    let still: Vec<&str> = items
-        .filter(|item| item.figure.as_ref().is_some_and(|figure| !figure.moves()))
-        .map(|item| item.id.as_str())
-        .collect();
-    assert_eq!(
-        still,
-        STILL.map(|(item, _)| item),
-        "a figure of a model moves by `[figure.motion]`, or stands here with the reason why it does not"
-    );
 }
 
 #[test]

@@ -48,7 +48,7 @@ pub use style::{Accent, Class, Size, Style, TableKind};
 pub use symbol::symbol;
 pub use typst::PRELUDE as TYPST_PRELUDE;
 pub use typst::quote;
-pub use voice::Voice;
+pub use voice::{UnitName, Voice};
 
 /// Whether a character leaves no ink: marks of direction, of byte order, and others without width.
 ///

@@ -75,8 +75,17 @@ pub struct Voice {
     pub letter: fn(&'static str) -> &'static str,
     /// The words before the argument of a function, given its name, such as `sin`; none for one that is said as it is.
     pub function: fn(&str) -> Option<&'static str>,
-    /// The name of a unit or prefix, given the English one, for one or for several.
-    pub unit: fn(&'static str) -> &'static str,
+    /// The name of a unit or prefix in this language.
+    pub unit: fn(UnitName) -> &'static str,
+}
+
+/// The name of a unit or prefix in each language.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct UnitName {
+    /// For one or for several.
+    pub english: &'static str,
+    /// In the singular.
+    pub french: &'static str,
 }
 
 impl Voice {
@@ -125,7 +134,7 @@ impl Voice {
         sign: |words| words,
         letter: |name| name,
         function: english_function,
-        unit: |word| word,
+        unit: |name| name.english,
     };
 }
 

@@ -27,6 +27,12 @@ pub(crate) const DECAY_RATES: [&str; 2] = ["lambda", "lam"];
 /// The letters of the damping ratio.
 pub(crate) const DAMPING_RATIOS: [&str; 2] = ["zeta", "xi"];
 
+/// `L` for ℓ, where the item may have another L.
+pub const L_FOR_ELL: [&str; 2] = ["L", "ell"];
+
+/// `e` for ε, which many cannot type.
+pub const E_FOR_EPSILON: [&str; 2] = ["e", "epsilon"];
+
 /// What is written below the letter of a natural frequency.
 const INDICES: [&str; 4] = ["0", "n", "o", "N"];
 

@@ -106,7 +106,7 @@ impl Lexicon {
 
     /// The name of this letter, whether the answer may use it or not, and that of the one for which many type it as well,
     /// `L` and ℓ, if the latter may be used and both are not the same.
-    pub fn stand_in(&self, letter: &str, meant: &str) -> Option<[Name; 2]> {
+    pub fn stand_in(&self, [letter, meant]: [&str; 2]) -> Option<[Name; 2]> {
         let meant = self.reads(meant)?.clone();
         let own = self.reads(letter).or_else(|| self.forbidden(letter));
         let own = own.cloned().unwrap_or_else(|| Name::new(letter));

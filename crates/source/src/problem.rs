@@ -59,6 +59,33 @@ pub enum Problem {
     },
 }
 
+/// What a key is called elsewhere, and the key.
+const SYNONYMS: [(&str, &str); 14] = [
+    ("answer", "key"),
+    ("class", "students"),
+    ("copies", "variants"),
+    ("damping", "dissipation"),
+    ("data", "parameters"),
+    ("dof", "coordinates"),
+    ("explanation", "solution"),
+    ("given", "parameters"),
+    ("prompt", "ask"),
+    ("question", "ask"),
+    ("roster", "students"),
+    ("score", "points"),
+    ("versions", "variants"),
+    ("weight", "points"),
+];
+
+/// The known key that is nearest to another one, in its letters or by its meaning.
+fn meant(key: &str, known: &[&'static str]) -> Option<&'static str> {
+    nearest(key, known.iter().copied()).or_else(|| {
+        let mut synonyms = SYNONYMS.iter();
+        let (_, meant) = synonyms.find(|(word, meant)| *word == key && known.contains(meant))?;
+        Some(*meant)
+    })
+}
+
 /// A table as messages call it; the table of the whole file has no name.
 fn called(table: &str) -> String {
     if table.is_empty() {
@@ -94,10 +121,23 @@ impl Problem {
             } => Some(format!(
                 "`{key}` is a key of the whole file: move it above the first `[header]`, for what stands below a header belongs to that"
             )),
-            Self::Unknown { key, known, .. } => Some(match nearest(key, known.iter().copied()) {
+            Self::Unknown { key, known, .. } => Some(match meant(key, known) {
                 Some(name) => format!("did you mean `{name}`?"),
                 None => format!("the keys are {}", known.join(", ")),
             }),
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn keys_are_known_by_their_letters_and_by_what_they_are_called_elsewhere() {
+        let blueprint = ["seed", "students", "variants"];
+        assert_eq!(meant("student", &blueprint), Some("students"));
+        assert_eq!(meant("class", &blueprint), Some("students"));
+        assert_eq!(meant("class", &["seed"]), None);
     }
 }

@@ -14,7 +14,9 @@ use crate::answer::{
 use crate::expr::{Expr, Field, Function, Kind, Operator, Substitution};
 use crate::math::symbol;
 use crate::numerics::SortedMap;
-use crate::response::{BeforeUnit, Manner, Passage, Stated, Trouble, Typed, TypedError};
+use crate::response::{
+    BeforeUnit, E_FOR_EPSILON, L_FOR_ELL, Manner, Passage, Stated, Trouble, Typed, TypedError,
+};
 use crate::unit::{DecimalMark, Unit};
 
 /// A prepared key.
@@ -132,9 +134,9 @@ impl Prepared {
 
     /// The marking of a formula with a letter for another one that it is alike, `L` for the length ℓ where the item has
     /// another L, if it is right.
-    fn right_with(&self, letter: &str, meant: &str, response: Passage<'_>) -> Option<Marking> {
+    fn right_with(&self, custom: [&str; 2], response: Passage<'_>) -> Option<Marking> {
         let lexicon = &self.setup.lexicon;
-        let [other, meant] = lexicon.stand_in(letter, meant)?;
+        let [other, meant] = lexicon.stand_in(custom)?;
         let put = Substitution::new().with(other.clone(), Expr::name(meant));
         let stated = self.stated(response).ok()?;
         let lexicon = lexicon.with(&other, symbol(other.as_str()));
@@ -539,12 +541,11 @@ impl Marker for Prepared {
                 let other = self.right_before_unit(response);
                 let other = other.or_else(|| self.right_in_last(response));
                 other
-                    .or_else(|| self.right_with("L", "ell", response))
+                    .or_else(|| self.right_with(L_FOR_ELL, response))
                     .unwrap_or(marking)
             }
-            // `1 + e/2` for ε, which many cannot type.
             Ok(marking) if marking.verdict == Verdict::Wrong => {
-                self.right_with("e", "epsilon", response).unwrap_or(marking)
+                self.right_with(E_FOR_EPSILON, response).unwrap_or(marking)
             }
             Ok(marking) => marking,
             Err(error)
@@ -557,7 +558,7 @@ impl Marker for Prepared {
             }
             Err(error)
                 if matches!(error.trouble, Trouble::NotAllowed(_))
-                    && let Some(marking) = self.right_with("L", "ell", response) =>
+                    && let Some(marking) = self.right_with(L_FOR_ELL, response) =>
             {
                 marking
             }

@@ -4,9 +4,7 @@ use std::collections::BTreeMap;
 use std::path::Path;
 
 use rayon::prelude::*;
-use vibank::output::{
-    KeyTable, PageKind, WRITERS, Writer, fairness_page, has_layout, key_table_page,
-};
+use vibank::output::{KeyTable, PageKind, WRITERS, fairness_page, has_layout, key_table_page};
 use vibank::worksheet::{Fairness, Plan, VariantEntry};
 
 use super::format::{Format, Laid, UNPRINTED, WrittenSheet, unfilled};
@@ -28,9 +26,8 @@ pub(crate) fn write_fairness(
     let formats = &plan.blueprint.formats;
     let is_made = |name: &str| formats.iter().any(|format| format.value == name);
     let mut made = WRITERS.iter().filter(|writer| is_made(writer.name()));
-    let has_page = |writer: &&dyn Writer| has_layout(*writer, "fairness");
     let name = match made.clone().next() {
-        Some(first) if made.all(has_page) => first.name(),
+        Some(first) if made.all(|writer| has_layout(*writer, "fairness")) => first.name(),
         Some(_) => "html",
         None => "md",
     };

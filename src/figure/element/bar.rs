@@ -7,7 +7,7 @@
 
 use super::{Element, Layer, Role, Takes};
 use crate::figure::part::Part;
-use crate::figure::{Drawing, Fill, Path, Spot, Weight, spots};
+use crate::figure::{Drawing, Fill, Noun, Path, Spot, Weight, spots};
 use std::f64::consts::{FRAC_PI_2, PI};
 
 pub(crate) struct Bar;
@@ -29,7 +29,7 @@ impl Element for Bar {
     }
 
     fn role(&self) -> Role {
-        Role::Link("bar")
+        Role::Link(Noun::BAR)
     }
 
     fn draw(&self, part: &Part<'_>, drawing: &mut Drawing) {

@@ -7,10 +7,11 @@
 use super::Layer;
 use super::bob::ball;
 use super::family::Round;
+use crate::figure::Noun;
 
 pub(crate) static BEAD: Round = Round {
     name: "bead",
-    body: "bead",
+    body: Noun::new("bead", "une perle"),
     layer: Layer::Joint,
     radius: 0.13,
     has_axle: false,

@@ -11,7 +11,7 @@ use super::family::inside;
 use super::{Element, ElementKey, Layer, Role, number, vector};
 use crate::figure::outline::Outline;
 use crate::figure::part::Part;
-use crate::figure::{Drawing, Fill, Path, Point, Spot, Weight};
+use crate::figure::{Drawing, Fill, Noun, Path, Point, Spot, Weight};
 
 pub(crate) struct Block;
 
@@ -29,7 +29,7 @@ impl Element for Block {
     }
 
     fn role(&self) -> Role {
-        Role::Body("block")
+        Role::Body(Noun::new("block", "un bloc"))
     }
 
     fn outline(&self, part: &Part<'_>) -> Option<Outline> {

@@ -8,11 +8,11 @@
 use super::Layer;
 use super::family::Round;
 use crate::figure::part::Part;
-use crate::figure::{Drawing, Fill, Path, Point, Weight};
+use crate::figure::{Drawing, Fill, Noun, Path, Point, Weight};
 
 pub(crate) static BOB: Round = Round {
     name: "bob",
-    body: "ball",
+    body: Noun::new("ball", "une boule"),
     layer: Layer::Joint,
     radius: 0.2,
     has_axle: false,

@@ -6,11 +6,11 @@
 
 use super::family::Branch;
 use crate::figure::part::Part;
-use crate::figure::{Drawing, Path, Point, Weight};
+use crate::figure::{Drawing, Noun, Path, Point, Weight};
 
 pub(crate) static CAPACITOR: Branch = Branch {
     name: "capacitor",
-    link: "capacitor",
+    link: Noun::new("capacitor", "un condensateur"),
     length: 0.2,
     // A letter hard by the end of a plate would be read together with it.
     half_width: HALF + 0.1,

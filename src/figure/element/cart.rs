@@ -11,7 +11,7 @@ use super::family::inside;
 use super::{Element, ElementKey, Layer, Role, number};
 use crate::figure::outline::Outline;
 use crate::figure::part::Part;
-use crate::figure::{Drawing, Fill, Path, Point, Spot, Weight};
+use crate::figure::{Drawing, Fill, Noun, Path, Point, Spot, Weight};
 
 pub(crate) struct Cart;
 
@@ -33,7 +33,7 @@ impl Element for Cart {
     }
 
     fn role(&self) -> Role {
-        Role::Body("cart")
+        Role::Body(Noun::new("cart", "un chariot"))
     }
 
     fn outline(&self, part: &Part<'_>) -> Option<Outline> {

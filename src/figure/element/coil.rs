@@ -7,7 +7,7 @@
 use super::family::middle;
 use super::{Element, Layer, Role, Takes};
 use crate::figure::part::Part;
-use crate::figure::{Drawing, Path, Spot, Weight, spots};
+use crate::figure::{Drawing, Noun, Path, Spot, Weight, spots};
 use std::f64::consts::PI;
 
 pub(crate) struct Coil;
@@ -28,7 +28,7 @@ impl Element for Coil {
     }
 
     fn role(&self) -> Role {
-        Role::Link("coil")
+        Role::Link(Noun::new("coil", "une bobine"))
     }
 
     fn draw(&self, part: &Part<'_>, drawing: &mut Drawing) {

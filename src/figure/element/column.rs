@@ -6,7 +6,7 @@
 
 use super::{Element, Layer, Role, Takes};
 use crate::figure::part::Part;
-use crate::figure::{Drawing, Fill, Path, Spot, Weight, spots};
+use crate::figure::{Drawing, Fill, Noun, Path, Spot, Weight, spots};
 
 pub(crate) struct Column;
 
@@ -27,7 +27,7 @@ impl Element for Column {
     }
 
     fn role(&self) -> Role {
-        Role::Link("elastic column")
+        Role::Link(Noun::new("elastic column", "une colonne élastique"))
     }
 
     fn draw(&self, part: &Part<'_>, drawing: &mut Drawing) {

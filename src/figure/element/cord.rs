@@ -13,7 +13,7 @@
 use super::{Element, Layer, Role, Takes};
 use crate::figure::outline::OutlineForm;
 use crate::figure::part::{End, Part};
-use crate::figure::{Drawing, Path, Point, Spot, Weight, spots};
+use crate::figure::{Drawing, Noun, Path, Point, Spot, Weight, spots};
 use crate::numerics::asin;
 use std::f64::consts::TAU;
 
@@ -85,7 +85,7 @@ impl Element for Cord {
     }
 
     fn role(&self) -> Role {
-        Role::Link("cord")
+        Role::Link(Noun::CORD)
     }
 
     fn pieces(&self, part: &Part<'_>) -> Vec<(Point, Point)> {

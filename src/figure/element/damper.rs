@@ -12,7 +12,7 @@
 
 use super::{Element, Layer, Role, Takes};
 use crate::figure::part::Part;
-use crate::figure::{Drawing, Fill, Path, Spot, Weight, spots};
+use crate::figure::{Drawing, Fill, Noun, Path, Spot, Weight, spots};
 
 pub(crate) struct Damper;
 
@@ -42,7 +42,7 @@ impl Element for Damper {
     }
 
     fn role(&self) -> Role {
-        Role::Link("damper")
+        Role::Link(Noun::new("damper", "un amortisseur"))
     }
 
     fn spreads(&self) -> bool {

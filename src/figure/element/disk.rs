@@ -13,11 +13,11 @@
 
 use super::family::Round;
 use crate::figure::part::Part;
-use crate::figure::{Bounds, Drawing, Fill, Path, Point, Weight};
+use crate::figure::{Bounds, Drawing, Fill, Noun, Path, Point, Weight};
 
 pub(crate) static DISK: Round = Round {
     name: "disk",
-    body: "disk",
+    body: Noun::new("disk", "un disque"),
     draw,
     ..Round::USUAL
 };

@@ -6,13 +6,13 @@ use super::{Element, ElementKey, Layer, Role, Takes, number};
 use crate::figure::arrow::{ArrowHead, arrow};
 use crate::figure::outline::Outline;
 use crate::figure::part::Part;
-use crate::figure::{Drawing, FigureLabel, Path, Point, Spot, Weight, spots};
+use crate::figure::{Drawing, FigureLabel, Noun, Path, Point, Spot, Weight, spots};
 
 /// A body with a circle about its point as its outline.
 pub(crate) struct Round {
     pub(crate) name: &'static str,
     /// What descriptions call it.
-    pub(crate) body: &'static str,
+    pub(crate) body: Noun,
     pub(crate) keys: &'static [ElementKey],
     pub(crate) layer: Layer,
     /// The radius that it has if none is given.
@@ -28,7 +28,7 @@ impl Round {
     /// What members have in common.
     pub(crate) const USUAL: Self = Self {
         name: "",
-        body: "",
+        body: Noun::new("body", "un corps"),
         keys: &[number("radius")],
         layer: Layer::Body,
         radius: 1.0,
@@ -156,7 +156,7 @@ impl Element for Straight {
 pub(crate) struct Branch {
     pub(crate) name: &'static str,
     /// What descriptions call it.
-    pub(crate) link: &'static str,
+    pub(crate) link: Noun,
     /// The greatest length of the symbol.
     pub(crate) length: f64,
     /// How far it reaches to either side of the way.

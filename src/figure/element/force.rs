@@ -14,13 +14,13 @@ use super::family::Straight;
 use super::{FROM, Role, Takes, vector};
 use crate::figure::arrow::ArrowHead;
 use crate::figure::part::Part;
-use crate::figure::{Point, Weight};
+use crate::figure::{Noun, Point, Weight};
 
 pub(crate) static FORCE: Straight = Straight {
     name: "force",
     takes: Takes::PointOrLabel,
     keys: &[vector("direction"), FROM],
-    role: Role::Thing("force"),
+    role: Role::Thing(Noun::FORCE),
     weight: Weight::Bold,
     head: ArrowHead::BOLD,
     ends,

@@ -11,7 +11,7 @@ use super::ground::{DEPTH, hatch};
 use super::{Element, ElementKey, Layer, Role, number};
 use crate::figure::outline::Side;
 use crate::figure::part::Part;
-use crate::figure::{Anchor, Drawing, Fill, Path, Point, Spot, Weight, spots};
+use crate::figure::{Anchor, Drawing, Fill, Noun, Path, Point, Spot, Weight, spots};
 use crate::numerics::{cos, tan};
 
 pub(crate) struct Incline;
@@ -48,7 +48,7 @@ impl Element for Incline {
     }
 
     fn role(&self) -> Role {
-        Role::Thing("slope")
+        Role::Thing(Noun::new("slope", "un plan incliné"))
     }
 
     fn draw(&self, part: &Part<'_>, drawing: &mut Drawing) {

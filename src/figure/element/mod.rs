@@ -47,7 +47,7 @@ mod wire;
 
 use super::outline::Outline;
 use super::part::Part;
-use super::{Drawing, Point, Spot};
+use super::{Drawing, Noun, Point, Spot};
 
 /// A kind of element: one file, one line in [`KINDS`].
 pub trait Element: Sync {
@@ -184,15 +184,25 @@ pub enum Role {
     /// A wall, floor or ceiling, called so by where it lies.
     Ground,
     /// A body of this name.
-    Body(&'static str),
+    Body(Noun),
     /// A link of this name between two points.
-    Link(&'static str),
+    Link(Noun),
     /// Something else that is named in the description.
-    Thing(&'static str),
+    Thing(Noun),
     /// An arrow or label that says what is measured.
     Measure,
     /// What a description leaves out.
     Mark,
+}
+
+impl Role {
+    /// What descriptions call it, if it has a name of its own.
+    pub fn noun(self) -> Option<Noun> {
+        match self {
+            Self::Body(noun) | Self::Link(noun) | Self::Thing(noun) => Some(noun),
+            Self::Ground | Self::Measure | Self::Mark => None,
+        }
+    }
 }
 
 const fn number(name: &'static str) -> ElementKey {

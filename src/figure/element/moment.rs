@@ -7,7 +7,7 @@
 use super::{Element, ElementKey, FROM, Holds, Layer, Role, Takes, number};
 use crate::figure::arrow::{Orbit, bent};
 use crate::figure::part::Part;
-use crate::figure::{Drawing, Point, Spot, Weight, spots};
+use crate::figure::{Drawing, Noun, Point, Spot, Weight, spots};
 
 pub(crate) struct Moment;
 
@@ -50,7 +50,7 @@ impl Element for Moment {
     }
 
     fn role(&self) -> Role {
-        Role::Thing("moment")
+        Role::Thing(Noun::MOMENT)
     }
 
     fn draw(&self, part: &Part<'_>, drawing: &mut Drawing) {

@@ -11,7 +11,7 @@
 use super::{Element, ElementKey, Layer, Role, number};
 use crate::figure::outline::Outline;
 use crate::figure::part::Part;
-use crate::figure::{Drawing, Fill, Path, Point, Spot, Weight, spots};
+use crate::figure::{Drawing, Fill, Noun, Path, Point, Spot, Weight, spots};
 
 pub(crate) struct Platform;
 
@@ -31,7 +31,7 @@ impl Element for Platform {
     }
 
     fn role(&self) -> Role {
-        Role::Body("moving base")
+        Role::Body(Noun::new("moving base", "un support mobile"))
     }
 
     fn outline(&self, part: &Part<'_>) -> Option<Outline> {

@@ -15,11 +15,11 @@ use std::f64::consts::FRAC_PI_2;
 use super::family::Round;
 use super::{flag, number};
 use crate::figure::part::Part;
-use crate::figure::{Bounds, Drawing, Fill, Path, Point, Weight};
+use crate::figure::{Bounds, Drawing, Fill, Noun, Path, Point, Weight};
 
 pub(crate) static PULLEY: Round = Round {
     name: "pulley",
-    body: "pulley",
+    body: Noun::new("pulley", "une poulie"),
     keys: &[number("radius"), flag("spokes")],
     radius: 0.4,
     draw,

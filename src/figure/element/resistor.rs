@@ -6,11 +6,11 @@
 
 use super::family::Branch;
 use crate::figure::part::Part;
-use crate::figure::{Drawing, Fill, Path, Point, Weight};
+use crate::figure::{Drawing, Fill, Noun, Path, Point, Weight};
 
 pub(crate) static RESISTOR: Branch = Branch {
     name: "resistor",
-    link: "resistor",
+    link: Noun::new("resistor", "une résistance"),
     length: 1.0,
     half_width: HALF,
     symbol,

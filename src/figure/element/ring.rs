@@ -8,11 +8,11 @@ use std::f64::consts::{PI, TAU};
 
 use super::family::{Round, outside};
 use crate::figure::part::Part;
-use crate::figure::{Drawing, Fill, Path, Point, Weight};
+use crate::figure::{Drawing, Fill, Noun, Path, Point, Weight};
 
 pub(crate) static RING: Round = Round {
     name: "ring",
-    body: "ring",
+    body: Noun::new("ring", "un anneau"),
     has_axle: false,
     spots: outside,
     draw,

@@ -7,7 +7,7 @@
 
 use super::{Element, Layer, Role, Takes};
 use crate::figure::part::Part;
-use crate::figure::{Drawing, Path, Spot, Weight, spots};
+use crate::figure::{Drawing, Noun, Path, Spot, Weight, spots};
 
 pub(crate) struct Rod;
 
@@ -25,7 +25,7 @@ impl Element for Rod {
     }
 
     fn role(&self) -> Role {
-        Role::Link("rod")
+        Role::Link(Noun::ROD)
     }
 
     fn draw(&self, part: &Part<'_>, drawing: &mut Drawing) {

@@ -7,11 +7,11 @@
 use super::family::{Round, outside};
 use super::number;
 use crate::figure::part::Part;
-use crate::figure::{Drawing, Fill, Path, Point, Weight};
+use crate::figure::{Drawing, Fill, Noun, Path, Point, Weight};
 
 pub(crate) static ROTOR: Round = Round {
     name: "rotor",
-    body: "unbalanced rotor",
+    body: Noun::new("unbalanced rotor", "un rotor à balourd"),
     keys: &[number("radius"), number("unbalance")],
     radius: 0.8,
     spots: outside,

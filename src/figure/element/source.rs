@@ -6,11 +6,11 @@
 
 use super::family::Branch;
 use crate::figure::part::Part;
-use crate::figure::{Drawing, Fill, Path, Point, Weight};
+use crate::figure::{Drawing, Fill, Noun, Path, Point, Weight};
 
 pub(crate) static SOURCE: Branch = Branch {
     name: "source",
-    link: "voltage source",
+    link: Noun::new("voltage source", "une source de tension"),
     length: 2.0 * RADIUS,
     half_width: RADIUS,
     symbol,

@@ -13,7 +13,7 @@
 
 use super::{Element, ElementKey, Holds, Layer, Role, Takes, number};
 use crate::figure::part::Part;
-use crate::figure::{Drawing, Fill, Path, Point, Spot, Weight, spots};
+use crate::figure::{Drawing, Fill, Noun, Path, Point, Spot, Weight, spots};
 use crate::numerics::sin_cos;
 
 pub(crate) struct Spring;
@@ -156,7 +156,7 @@ impl Element for Spring {
     }
 
     fn role(&self) -> Role {
-        Role::Link("spring")
+        Role::Link(Noun::new("spring", "un ressort"))
     }
 
     fn spreads(&self) -> bool {

@@ -13,7 +13,7 @@
 
 use super::{Element, ElementKey, Layer, Role, number};
 use crate::figure::part::Part;
-use crate::figure::{Drawing, Fill, Path, Point, Spot, Weight, spots};
+use crate::figure::{Drawing, Fill, Noun, Path, Point, Spot, Weight, spots};
 
 pub(crate) struct Torsion;
 
@@ -104,7 +104,7 @@ impl Element for Torsion {
     }
 
     fn role(&self) -> Role {
-        Role::Thing("torsion spring")
+        Role::Thing(Noun::new("torsion spring", "un ressort de torsion"))
     }
 
     fn draw(&self, part: &Part<'_>, drawing: &mut Drawing) {

@@ -7,7 +7,7 @@
 
 use super::{Element, ElementKey, Layer, Role, number};
 use crate::figure::part::Part;
-use crate::figure::{Bounds, Drawing, Fill, Path, Point, Spot, Weight, spots};
+use crate::figure::{Bounds, Drawing, Fill, Noun, Path, Point, Spot, Weight, spots};
 use std::f64::consts::PI;
 
 pub(crate) struct Tube;
@@ -45,7 +45,10 @@ impl Element for Tube {
     }
 
     fn role(&self) -> Role {
-        Role::Thing("U-tube with liquid")
+        Role::Thing(Noun::new(
+            "U-tube with liquid",
+            "un tube en U rempli de liquide",
+        ))
     }
 
     fn draw(&self, part: &Part<'_>, drawing: &mut Drawing) {

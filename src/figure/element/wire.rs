@@ -6,7 +6,7 @@
 
 use super::{Element, Layer, Role, Takes};
 use crate::figure::part::Part;
-use crate::figure::{Drawing, Fill, Path, Spot, Weight, spots};
+use crate::figure::{Drawing, Fill, Noun, Path, Spot, Weight, spots};
 
 pub(crate) struct Wire;
 
@@ -30,7 +30,7 @@ impl Element for Wire {
     }
 
     fn role(&self) -> Role {
-        Role::Link("elastic wire")
+        Role::Link(Noun::new("elastic wire", "un fil élastique"))
     }
 
     fn draw(&self, part: &Part<'_>, drawing: &mut Drawing) {

@@ -12,7 +12,7 @@ use crate::figure::formula::FigureValues;
 use crate::figure::part::Part;
 use crate::figure::schematic::Item;
 use crate::figure::story::{self, Action, FreeBody, Thing};
-use crate::figure::{Drawing, Figure, FigureData, Outline, Point};
+use crate::figure::{Drawing, Figure, FigureData, Noun, Outline, Point};
 use crate::math::Math;
 
 /// Length of an arrow.
@@ -147,7 +147,7 @@ impl<'f> NumberedFigure<'f> {
             if !is_idle {
                 return Err(FreeFault::Idle {
                     body: body.name.clone(),
-                    arrow: written.kind.noun(),
+                    arrow: written.kind.noun().english,
                 });
             }
             drawn.arrows.push(Self::contact(written, part, direction));
@@ -200,7 +200,7 @@ impl<'f> NumberedFigure<'f> {
             let direction = out * sense;
             works(body, force, moved, at, direction, None)?;
             let is_push = sense < 0.0;
-            if is_push && noun == "cord" {
+            if is_push && noun == Noun::CORD {
                 return Err(FreeFault::Push {
                     body: body.name.clone(),
                     force: force.name.to_string(),
@@ -231,7 +231,7 @@ impl<'f> NumberedFigure<'f> {
     ) -> Result<(), FreeFault> {
         let part = &self.parts[item];
         let noun = self.noun(item);
-        let sense = if noun == "moment" {
+        let sense = if noun == Noun::MOMENT {
             let is_left = part.word("sense") != Some("cw");
             let sign = if is_left { 1.0 } else { -1.0 };
             let works = moved.iter().map(|motion| sign * motion.work_of_moment());
@@ -464,11 +464,10 @@ impl<'f> NumberedFigure<'f> {
             })
     }
 
-    fn noun(&self, item: usize) -> &'static str {
-        match self.items[item].kind.role() {
-            Role::Link(noun) | Role::Thing(noun) | Role::Body(noun) => noun,
-            _ => self.items[item].kind.name(),
-        }
+    /// What a link that is cut, or a force that is shown, is called.
+    fn noun(&self, item: usize) -> Noun {
+        let noun = self.items[item].kind.role().noun();
+        noun.expect("links and forces have names of their own")
     }
 
     fn link(&self, item: usize) -> String {
@@ -479,7 +478,7 @@ impl<'f> NumberedFigure<'f> {
     }
 }
 
-fn action(noun: &'static str, letter: &Math, sense: story::Sense) -> Action {
+fn action(noun: Noun, letter: &Math, sense: story::Sense) -> Action {
     Action {
         force: Thing {
             noun,

@@ -19,7 +19,7 @@ pub(crate) use read::FreeReader;
 use super::formula::{Amount, FigurePair};
 use super::schematic::{ElementPlace, Item};
 use super::story::{Caption, Speaker, Story};
-use super::{Drawing, Figure, FigureData, FigureLabel, Picture};
+use super::{Drawing, Figure, FigureData, FigureLabel, Noun, Picture};
 use crate::expr::Name;
 use crate::math::Math;
 use crate::source::Span;
@@ -166,12 +166,12 @@ impl Contact {
         ("weight", Self::Weight),
     ];
 
-    fn noun(self) -> &'static str {
+    fn noun(self) -> Noun {
         match self {
-            Self::Normal => "normal force",
-            Self::Friction => "friction",
-            Self::Reaction => "reaction",
-            Self::Weight => "weight",
+            Self::Normal => Noun::NORMAL_FORCE,
+            Self::Friction => Noun::FRICTION,
+            Self::Reaction => Noun::REACTION,
+            Self::Weight => Noun::WEIGHT,
         }
     }
 }

@@ -1,6 +1,7 @@
 //! What pictures show.
 
 use super::listed;
+use crate::figure::Noun;
 use crate::figure::story::{
     Action, Behaviour, Caption, Curves, DescribedCurve, FreeBody, Joint, LineKind, Mode, Pointer,
     Sense, Sketch, Story, Tendency, Thing,
@@ -22,7 +23,10 @@ pub(crate) fn caption(story: &Story) -> Caption {
 fn sketch(sketch: &Sketch) -> Caption {
     let title = match sketch.nouns.as_slice() {
         [] => "Sketch".to_owned(),
-        nouns => format!("Sketch: {}", listed(nouns)),
+        nouns => {
+            let nouns: Vec<&str> = nouns.iter().map(|noun| noun.english).collect();
+            format!("Sketch: {}", listed(&nouns))
+        }
     };
     let mut sentences = Vec::new();
     if !sketch.bodies.is_empty() {
@@ -93,15 +97,18 @@ fn free_body(own: &FreeBody) -> String {
 
 fn action(action: &Action) -> String {
     let force = match action.force.noun {
-        "moment" => a(&action.force),
-        "force" | "normal force" | "reaction" | "friction" | "weight" => the(&action.force),
+        Noun::MOMENT => a(&action.force),
+        Noun::FORCE | Noun::NORMAL_FORCE | Noun::REACTION | Noun::FRICTION | Noun::WEIGHT => {
+            the(&action.force)
+        }
         link => {
+            let link = indefinite(link);
             let label = spoken(action.force.label.as_ref());
             match action.sense {
                 Sense::WithTwist | Sense::AgainstTwist => {
-                    format!("the moment{label} of {} {link},", article(link))
+                    format!("the moment{label} of {link},")
                 }
-                _ => format!("the force of {} {link}{label}", article(link)),
+                _ => format!("the force of {link}{label}"),
             }
         }
     };
@@ -261,22 +268,20 @@ fn spoken(label: Option<&Math>) -> String {
 }
 
 fn the(thing: &Thing) -> String {
-    format!("the {}{}", thing.noun, spoken(thing.label.as_ref()))
+    format!("the {}{}", thing.noun.english, spoken(thing.label.as_ref()))
 }
 
 fn a(thing: &Thing) -> String {
     let label = spoken(thing.label.as_ref());
-    format!("{} {}{label}", article(thing.noun), thing.noun)
+    format!("{}{label}", indefinite(thing.noun))
 }
 
 fn a_each(things: &[Thing]) -> Vec<String> {
     things.iter().map(a).collect()
 }
 
-fn article(noun: &str) -> &'static str {
-    if noun.starts_with(['a', 'e', 'i', 'o', 'u']) {
-        "an"
-    } else {
-        "a"
-    }
+fn indefinite(noun: Noun) -> String {
+    let is_vowel = noun.english.starts_with(['a', 'e', 'i', 'o', 'u']);
+    let article = if is_vowel { "an" } else { "a" };
+    format!("{article} {}", noun.english)
 }

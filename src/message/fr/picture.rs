@@ -4,6 +4,7 @@
 
 use super::listed;
 use super::typography::spaced;
+use crate::figure::Noun;
 use crate::figure::story::{
     Action, Behaviour, Caption, Curves, DescribedCurve, FreeBody, Joint, LineKind, Mode, Pointer,
     Sense, Sketch, Story, Tendency, Thing,
@@ -26,87 +27,29 @@ pub(crate) fn caption(story: &Story) -> Caption {
     }
 }
 
-/// A noun with its gender, which its articles follow.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Noun {
-    word: &'static str,
-    is_feminine: bool,
+/// A noun without its article.
+fn bare(noun: Noun) -> &'static str {
+    noun.french
+        .split_once(' ')
+        .map_or(noun.french, |(_, bare)| bare)
 }
 
-impl Noun {
-    /// The French word for an English noun; nothing where there is none yet.
-    pub(crate) fn of(english: &str) -> Option<Self> {
-        let (is_feminine, word) = match english {
-            "ball" => (true, "boule"),
-            "bar" => (true, "barre"),
-            "bead" => (true, "perle"),
-            "block" => (false, "bloc"),
-            "body" => (false, "corps"),
-            "capacitor" => (false, "condensateur"),
-            "cart" => (false, "chariot"),
-            "ceiling" => (false, "plafond"),
-            "coil" => (true, "bobine"),
-            "cord" => (false, "câble"),
-            "damper" => (false, "amortisseur"),
-            "disk" => (false, "disque"),
-            "elastic column" => (true, "colonne élastique"),
-            "elastic wire" => (false, "fil élastique"),
-            "floor" => (false, "sol"),
-            "force" => (true, "force"),
-            "friction" => (true, "force de frottement"),
-            "moment" => (false, "moment"),
-            "moving base" => (false, "support mobile"),
-            "normal force" => (true, "force normale"),
-            "pulley" => (true, "poulie"),
-            "reaction" => (true, "réaction"),
-            "resistor" => (true, "résistance"),
-            "ring" => (false, "anneau"),
-            "rod" => (true, "tige"),
-            "slope" => (false, "plan incliné"),
-            "spring" => (false, "ressort"),
-            "torsion spring" => (false, "ressort de torsion"),
-            "U-tube with liquid" => (false, "tube en U rempli de liquide"),
-            "unbalanced rotor" => (false, "rotor à balourd"),
-            "voltage source" => (true, "source de tension"),
-            "wall on the left" => (false, "mur de gauche"),
-            "wall on the right" => (false, "mur de droite"),
-            "weight" => (false, "poids"),
-            _ => return None,
-        };
-        Some(Self { word, is_feminine })
+fn definite(noun: Noun) -> String {
+    let bare = bare(noun);
+    if bare.starts_with(['a', 'e', 'i', 'o', 'u', 'é']) {
+        format!("l’{bare}")
+    } else if noun.french.starts_with("une ") {
+        format!("la {bare}")
+    } else {
+        format!("le {bare}")
     }
+}
 
-    /// A test holds that every noun of a figure has its word.
-    fn known(english: &'static str) -> Self {
-        Self::of(english).unwrap_or(Self {
-            word: english,
-            is_feminine: false,
-        })
-    }
-
-    fn indefinite(self) -> String {
-        let article = if self.is_feminine { "une" } else { "un" };
-        format!("{article} {}", self.word)
-    }
-
-    fn definite(self) -> String {
-        let Self { word, is_feminine } = self;
-        match (
-            word.starts_with(['a', 'e', 'i', 'o', 'u', 'é']),
-            is_feminine,
-        ) {
-            (true, _) => format!("l’{word}"),
-            (false, true) => format!("la {word}"),
-            (false, false) => format!("le {word}"),
-        }
-    }
-
-    /// After the preposition « à ».
-    fn behind_to(self) -> String {
-        match self.definite() {
-            definite if definite.starts_with("le ") => format!("au {}", self.word),
-            definite => format!("à {definite}"),
-        }
+/// After the preposition « à ».
+fn behind_to(noun: Noun) -> String {
+    match definite(noun) {
+        definite if definite.starts_with("le ") => format!("au {}", bare(noun)),
+        definite => format!("à {definite}"),
     }
 }
 
@@ -114,7 +57,7 @@ fn sketch(sketch: &Sketch) -> Caption {
     let title = match sketch.nouns.as_slice() {
         [] => "Schéma".to_owned(),
         nouns => {
-            let nouns: Vec<&str> = nouns.iter().map(|noun| Noun::known(noun).word).collect();
+            let nouns: Vec<&str> = nouns.iter().map(|noun| bare(*noun)).collect();
             format!("Schéma : {}", listed(&nouns))
         }
     };
@@ -187,11 +130,13 @@ fn free_body(own: &FreeBody) -> String {
 
 fn action(action: &Action) -> String {
     let force = match action.force.noun {
-        "moment" => a(&action.force),
-        "force" | "normal force" | "reaction" | "friction" | "weight" => the(&action.force),
+        Noun::MOMENT => a(&action.force),
+        Noun::FORCE | Noun::NORMAL_FORCE | Noun::REACTION | Noun::FRICTION | Noun::WEIGHT => {
+            the(&action.force)
+        }
         link => {
             let label = plain(action.force.label.as_ref());
-            let link = Noun::known(link).indefinite();
+            let link = link.french;
             match action.sense {
                 Sense::WithTwist | Sense::AgainstTwist => format!("le moment{label} d’{link},"),
                 _ => format!("la force d’{link}{label}"),
@@ -341,17 +286,17 @@ fn plain(label: Option<&Math>) -> String {
 
 fn the(thing: &Thing) -> String {
     let label = plain(thing.label.as_ref());
-    format!("{}{label}", Noun::known(thing.noun).definite())
+    format!("{}{label}", definite(thing.noun))
 }
 
 fn to(thing: &Thing) -> String {
     let label = plain(thing.label.as_ref());
-    format!("{}{label}", Noun::known(thing.noun).behind_to())
+    format!("{}{label}", behind_to(thing.noun))
 }
 
 fn a(thing: &Thing) -> String {
     let label = plain(thing.label.as_ref());
-    format!("{}{label}", Noun::known(thing.noun).indefinite())
+    format!("{}{label}", thing.noun.french)
 }
 
 fn a_each(things: &[Thing]) -> Vec<String> {
@@ -361,35 +306,8 @@ fn a_each(things: &[Thing]) -> Vec<String> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::figure::element::Role;
     use crate::figure::story::Speaker as _;
     use crate::message::Language;
-
-    #[test]
-    fn french_has_a_noun_for_all_that_figures_show() {
-        let roles = crate::figure::element::KINDS.iter().map(|kind| kind.role());
-        let nouns = roles.filter_map(|role| match role {
-            Role::Body(noun) | Role::Link(noun) | Role::Thing(noun) => Some(noun),
-            Role::Ground | Role::Measure | Role::Mark => None,
-        });
-        // Grounds by where they lie, and the forces that free-body diagrams write.
-        let others = [
-            "floor",
-            "ceiling",
-            "wall on the left",
-            "wall on the right",
-            "normal force",
-            "friction",
-            "reaction",
-            "weight",
-        ];
-        for noun in nouns.chain(others) {
-            assert!(
-                Noun::of(noun).is_some(),
-                "`{noun}` has no French word: `Noun::of` needs a row for it"
-            );
-        }
-    }
 
     #[test]
     fn pictures_are_worded_in_each_language() {
@@ -397,20 +315,24 @@ mod tests {
             noun,
             label: Some(Math::letter(letter)),
         };
+        let block = Noun::new("block", "un bloc");
+        let spring = Noun::new("spring", "un ressort");
+        let damper = Noun::new("damper", "un amortisseur");
+        let pulley = Noun::new("pulley", "une poulie");
         let sketch = Story::Sketch(Sketch {
-            nouns: vec!["block", "damper", "force"],
-            bodies: vec![thing("block", 'm')],
+            nouns: vec![block, damper, Noun::FORCE],
+            bodies: vec![thing(block, 'm')],
             joints: vec![Joint {
-                links: vec![thing("spring", 'k'), thing("damper", 'c')],
+                links: vec![thing(spring, 'k'), thing(damper, 'c')],
                 ends: [
-                    Some(thing("block", 'm')),
+                    Some(thing(block, 'm')),
                     Some(Thing {
-                        noun: "floor",
+                        noun: Noun::FLOOR,
                         label: None,
                     }),
                 ],
             }],
-            forces: vec![(thing("force", 'F'), Some(thing("block", 'm')))],
+            forces: vec![(thing(Noun::FORCE, 'F'), Some(thing(block, 'm')))],
             marked: vec![Math::letter('x')],
         });
         let text = |language: Language| language.caption(&sketch).description;
@@ -425,20 +347,20 @@ mod tests {
              Une force F agit sur le bloc m. Grandeur indiquée\u{a0}: x."
         );
         let free = Story::FreeBodies(vec![FreeBody {
-            body: Some(thing("pulley", 'J')),
+            body: Some(thing(pulley, 'J')),
             actions: vec![
                 Action {
-                    force: thing("cord", 'S'),
+                    force: thing(Noun::CORD, 'S'),
                     sense: Sense::Towards(6),
                     velocity: None,
                 },
                 Action {
-                    force: thing("friction", 'R'),
+                    force: thing(Noun::FRICTION, 'R'),
                     sense: Sense::Towards(0),
                     velocity: Some(Math::letter('v')),
                 },
                 Action {
-                    force: thing("moment", 'M'),
+                    force: thing(Noun::MOMENT, 'M'),
                     sense: Sense::Clockwise,
                     velocity: None,
                 },

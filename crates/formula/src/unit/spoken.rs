@@ -7,7 +7,7 @@ use super::notation::DecimalMark;
 use super::product::Unit;
 use super::quantity::Quantity;
 use super::rational::Rational;
-use vibank_notation::Voice;
+use vibank_notation::{UnitName, Voice};
 
 pub(crate) fn decimal(decimal: &Decimal, mark: DecimalMark) -> String {
     let (mut text, power) = figures::size(decimal, mark);
@@ -45,9 +45,11 @@ pub(crate) fn quantity(quantity: &Quantity, mark: DecimalMark) -> String {
 }
 
 fn name(factor: &Factor, power: Rational, several: bool, voice: &Voice) -> String {
-    let prefix = factor.prefix().map_or("", |prefix| prefix.word);
-    let [prefix, word] =
-        [prefix, factor.row().words[usize::from(several)]].map(|word| (voice.unit)(word));
+    let row = factor.row();
+    let named = |english, french| (voice.unit)(UnitName { english, french });
+    let word = named(row.words[usize::from(several)], row.french);
+    let prefix = factor.prefix();
+    let prefix = prefix.map_or("", |prefix| named(prefix.word, prefix.french));
     let power = match power {
         Rational::ONE => String::new(),
         power if power == Rational::integer(2) => format!(" {}", voice.squared),

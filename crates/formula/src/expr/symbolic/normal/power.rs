@@ -1,7 +1,7 @@
 //! Powers of sums and products, and what all terms of a sum have in common.
 
 use super::inner::Inner;
-use super::term::{Atom, Monomial, Polynomial, fits, settle};
+use super::term::{Atom, Monomial, Polynomial, fits, settled};
 use super::{SymbolicError, Work};
 use crate::expr::Constant;
 use vibank_dynamics::numerics::Rational;
@@ -38,9 +38,7 @@ pub(crate) fn of(
     }
     if let Some((monomial, coefficient)) = polynomial.as_term() {
         let scale = power_of_number(coefficient, exponent, work)?;
-        let mut power = Polynomial::default();
-        settle(monomial.power(exponent)?, Rational::ONE, &mut power, work)?;
-        return power.times(&scale, work);
+        return settled(monomial.power(exponent)?, work)?.times(&scale, work);
     }
     if !exponent.is_negative() {
         let whole = exponent.numerator();
@@ -77,15 +75,16 @@ fn root(
             return outside.times(&power_of_number(sign, exponent, work)?, work);
         }
     }
-    let base = Atom::Base(Inner::from(rest));
-    let mut power = Polynomial::default();
-    settle(
-        Monomial::of(base, exponent),
-        Rational::ONE,
-        &mut power,
-        work,
-    )?;
-    power.times(&outside, work)
+    kept(rest, exponent, work)?.times(&outside, work)
+}
+
+/// A power as it stands.
+fn kept(
+    base: Polynomial,
+    exponent: Rational,
+    work: &mut Work,
+) -> Result<Polynomial, SymbolicError> {
+    settled(Monomial::of(Atom::Base(Inner::from(base)), exponent), work)
 }
 
 /// The positive number that divides all coefficients and leaves integers without common divisor.
@@ -183,19 +182,9 @@ fn root_of(
     if number == -Rational::ONE && exponent.denominator() == 2 {
         let unit = Monomial::of(Atom::Constant(Constant::ImaginaryUnit), Rational::ONE);
         let turns = Rational::new(exponent.numerator(), 1);
-        let mut power = Polynomial::default();
-        settle(unit.power(fits(turns)?)?, Rational::ONE, &mut power, work)?;
-        return Ok(power);
+        return settled(unit.power(fits(turns)?)?, work);
     }
-    let base = Atom::Base(Inner::from(Polynomial::number(number)));
-    let mut power = Polynomial::default();
-    settle(
-        Monomial::of(base, exponent),
-        Rational::ONE,
-        &mut power,
-        work,
-    )?;
-    Ok(power)
+    kept(Polynomial::number(number), exponent, work)
 }
 
 /// Prime factors with their multiplicities, as far as trial division goes.

@@ -420,6 +420,13 @@ pub(crate) fn fits(value: Option<Rational>) -> Result<Rational, SymbolicError> {
     value.ok_or(SymbolicError::TooLarge)
 }
 
+/// A product that may hold powers that can be multiplied out by now.
+pub(crate) fn settled(monomial: Monomial, work: &mut Work) -> Result<Polynomial, SymbolicError> {
+    let mut sum = Polynomial::default();
+    settle(monomial, Rational::ONE, &mut sum, work)?;
+    Ok(sum)
+}
+
 /// Adds a term whose product may hold powers that can be multiplied out by now.
 pub(crate) fn settle(
     mut monomial: Monomial,

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use super::inner::Inner;
 use super::power::common_divisor;
-use super::term::{Atom, Monomial, Polynomial, fits, settle};
+use super::term::{Atom, Monomial, Polynomial, fits, settled};
 use super::{SymbolicError, Work};
 use crate::expr::{Constant, Function};
 use vibank_dynamics::numerics::Rational;
@@ -165,10 +165,7 @@ fn with_atoms_changed(
             let factor = if let Some(changed) = change(atom, work)? {
                 changed.power(*exponent, work)?
             } else {
-                let mut own = Polynomial::default();
-                let power = Monomial::of(atom.clone(), *exponent);
-                settle(power, Rational::ONE, &mut own, work)?;
-                own
+                settled(Monomial::of(atom.clone(), *exponent), work)?
             };
             product = product.times(&factor, work)?;
         }
