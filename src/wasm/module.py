@@ -94,6 +94,20 @@ def calls(reader, end, is_expression=False):
     return found
 
 
+def segments(data, begin):
+    """The pieces of memory that a module fills, as (address, place in the module, length)."""
+    reader, found = Reader(data, begin), []
+    for _ in range(reader.number()):
+        if reader.number() != 0 or reader.byte() != 0x41:
+            sys.exit("memory at fixed addresses is expected")
+        address = reader.signed()
+        reader.byte()
+        length = reader.number()
+        found.append((address, reader.at, length))
+        reader.bytes(length)
+    return found
+
+
 def names(reader, end):
     """The names of functions, by their indices."""
     found = {}

@@ -11,7 +11,7 @@ import re
 import struct
 import sys
 
-from module import Reader, number, section, sections
+from module import Reader, number, section, sections, segments
 
 # By mangled names of version 0.
 PANICS = re.compile(
@@ -36,20 +36,6 @@ def without_panics(data, begin, names):
             body = STOP
         out += number(len(body)) + body
     return number(count) + out
-
-
-def segments(data, begin):
-    """The pieces of memory that a module fills, as (address, place in the module, length)."""
-    reader, found = Reader(data, begin), []
-    for _ in range(reader.number()):
-        if reader.number() != 0 or reader.byte() != 0x41:
-            sys.exit("snip.py expects memory at fixed addresses")
-        address = reader.signed()
-        reader.byte()
-        length = reader.number()
-        found.append((address, reader.at, length))
-        reader.bytes(length)
-    return found
 
 
 def without_places(data, begin, end):
