@@ -8,9 +8,10 @@ cd "$(dirname "$0")/../.."
 
 # Small before fast: the module travels in every page. The names of source files stay out of it.
 export CARGO_PROFILE_RELEASE_OPT_LEVEL="${OPT_LEVEL:-z}" CARGO_PROFILE_RELEASE_LTO=fat CARGO_PROFILE_RELEASE_PANIC=abort
-# Names of functions stay until `snip.py` has found by them what only panics need.
+# Names of functions stay until `snip.py` has found by them what only panics need, and relocations by which it knows what is
+# needed for nothing else.
 export CARGO_PROFILE_RELEASE_CODEGEN_UNITS=1 CARGO_PROFILE_RELEASE_STRIP=debuginfo
-export RUSTFLAGS="-C symbol-mangling-version=v0 --cfg sha2_backend_soft=\"compact\" --remap-path-prefix=$PWD=. --remap-path-prefix=${CARGO_HOME:-$HOME/.cargo}=cargo"
+export RUSTFLAGS="-C symbol-mangling-version=v0 -C link-arg=--emit-relocs --cfg sha2_backend_soft=\"compact\" --remap-path-prefix=$PWD=. --remap-path-prefix=${CARGO_HOME:-$HOME/.cargo}=cargo"
 target="${CARGO_TARGET_DIR:-target}"
 cargo rustc --locked --release --lib --crate-type cdylib --no-default-features --target wasm32-unknown-unknown
 

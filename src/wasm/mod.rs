@@ -109,9 +109,8 @@ impl Grader {
     /// # }
     /// ```
     pub fn answer(&self, request: &str) -> String {
-        let reply = serde_json::from_str(request)
-            .map_err(|error| error.to_string())
-            .and_then(|json| Request::from_json(json).map_err(|misfit| misfit.to_string()))
+        let reply = Request::from_text(request)
+            .map_err(|misfit| misfit.to_string())
             .and_then(|request| request::reply(self, &request));
         json::written(&reply.unwrap_or_else(|error| Reply::Refused { error }))
     }
@@ -212,8 +211,8 @@ impl PageItem {
     fn template(&self) -> Result<&'static Template, String> {
         self.template
             .get_or_init(|| -> Result<&'static Template, String> {
-                let compiled: Compiled =
-                    serde_json::from_str(&self.line).map_err(|error| error.to_string())?;
+                let compiled =
+                    Compiled::from_text(&self.line).map_err(|misfit| misfit.to_string())?;
                 let template = compiled.template().map_err(|error| error.to_string())?;
                 Ok(Box::leak(Box::new(template)))
             })

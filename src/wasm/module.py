@@ -94,17 +94,17 @@ def calls(reader, end, is_expression=False):
     return found
 
 
-def names(reader, end):
-    """The names of functions, by their indices."""
-    found = {}
-    while reader.at < end:
-        kind, size = reader.byte(), reader.number()
-        stop = reader.at + size
-        if kind == 1:
-            for _ in range(reader.number()):
-                index = reader.number()
-                found[index] = bytes(reader.bytes(reader.number()))
-        reader.at = stop
+def segments(data, begin):
+    """The pieces of memory that a module fills, as (address, place in the module, length)."""
+    reader, found = Reader(data, begin), []
+    for _ in range(reader.number()):
+        if reader.number() != 0 or reader.byte() != 0x41:
+            sys.exit("memory at fixed addresses is expected")
+        address = reader.signed()
+        reader.byte()
+        length = reader.number()
+        found.append((address, reader.at, length))
+        reader.bytes(length)
     return found
 
 
@@ -113,15 +113,16 @@ def section(kind, content):
 
 
 def sections(data):
-    """The sections of a module as (kind, begin, end), without those that have names, and the names of its functions."""
+    """The sections of a module as (kind, begin, end), and those with names, as (begin, end) by these."""
     reader, found, named = Reader(data, 8), [], {}
     while reader.at < len(data):
         kind, size = reader.byte(), reader.number()
-        begin, end = reader.at, reader.at + size
-        if kind != 0:
-            found.append((kind, begin, end))
-        elif reader.bytes(reader.number()) == b"name":
-            named = names(reader, end)
+        end = reader.at + size
+        if kind == 0:
+            name = bytes(reader.bytes(reader.number()))
+            named[name] = (reader.at, end)
+        else:
+            found.append((kind, reader.at, end))
         reader.at = end
     if any(kind == 2 for kind, _, _ in found):
         sys.exit("a module that imports nothing is expected")

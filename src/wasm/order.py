@@ -2,7 +2,8 @@
 
 What is compiled from one generic function for several types is nearly the same. The functions that are called most come
 first, since the first 128 take one byte to call; each further one is that whose opcodes are most like those just before it,
-since opcodes travel by themselves (`streams.py`) and are the longest stream.
+since opcodes travel by themselves (`streams.py`) and are the longest stream. The memory, which wasm-opt cuts at each run of
+zeros, becomes one piece again.
 
     order.py MODULE OUT
 """
@@ -10,7 +11,7 @@ since opcodes travel by themselves (`streams.py`) and are the longest stream.
 import collections
 import sys
 
-from module import Reader, calls, number, operands, section, sections
+from module import Reader, calls, number, operands, section, sections, segments
 
 # A deflater looks back over 32 kB.
 WINDOW = 30_000
@@ -126,6 +127,17 @@ def references(reader, kind, end):
     return places
 
 
+def memory(data, begin):
+    """The memory as one piece: zeros between pieces deflate to less than the addresses and lengths of the pieces."""
+    pieces = segments(data, begin)
+    first, at, length = pieces[0]
+    whole = bytearray(pieces[-1][0] + pieces[-1][2] - first)
+    for address, place, size in pieces:
+        whole[address - first : address - first + size] = data[place : place + size]
+    head = data[begin + len(number(len(pieces))) : at - len(number(length))]
+    return number(1) + head + number(len(whole)) + whole
+
+
 def main():
     data = open(sys.argv[1], "rb").read()
     found, _ = sections(data)
@@ -145,6 +157,10 @@ def main():
             content = renumbered(data, begin, end, references(reader, kind, end), new)
         elif kind == 8:
             content = number(new[reader.number()])
+        elif kind == 11:
+            content = memory(data, begin)
+        elif kind == 12:
+            content = number(1)
         elif kind == 10:
             content = number(len(bodies))
             for old in order:

@@ -248,9 +248,9 @@ impl Practice {
     pub fn read(text: &str) -> Result<(Self, Vec<&str>), PracticeError> {
         let mut lines = text.lines();
         let first = lines.next().unwrap_or_default();
-        let practice = serde_json::from_str(first).map_err(|error| PracticeError {
+        let practice = Self::from_text(first).map_err(|misfit| PracticeError {
             line: 1,
-            message: error.to_string(),
+            message: misfit.to_string(),
         })?;
         Ok((practice, lines.collect()))
     }

@@ -2,6 +2,7 @@
 
 use super::parser::Parser;
 use super::{Chain, Trouble, Typed, TypedError};
+use vibank_dynamics::numerics::Rational;
 use vibank_formula::expr::{Expr, Operator, Relation};
 use vibank_source::Span;
 
@@ -18,7 +19,8 @@ pub(crate) fn without_spread(text: &str) -> Option<String> {
     let value = &before[before.trim_end_matches(is_of_number).len()..];
     let rest = behind.trim_start_matches(is_of_number);
     let spread = &behind[..behind.len() - rest.len()];
-    let size = |number: &str| number.replace(',', ".").parse::<f64>().ok();
+    let size =
+        |number: &str| Rational::from_decimal(&number.replace(',', ".")).map(Rational::to_f64);
     let (spread, value) = (size(spread)?, size(value)?);
     let is_small = 0.0 < spread && spread <= WIDEST * value;
     (is_small && !rest.contains('±')).then(|| format!("{before}{rest}"))

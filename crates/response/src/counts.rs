@@ -75,14 +75,15 @@ fn conclusion(text: &str, known: &Wording) -> Option<String> {
         let own = count(reason, known).filter(|own| own.parse::<u32>().is_ok());
         let last = reason.rsplit('=').next().unwrap_or_default().trim();
         // A number of steps is the next integer of what was computed.
-        let is_near = |value: f64| {
-            let count = number.parse::<f64>();
-            value.fract() != 0.0 && count.is_ok_and(|count| (value - count).abs() < 1.0)
+        let is_near = |value: Rational| {
+            let count = Rational::from_decimal(&number);
+            let off = count.and_then(|count| value.checked_sub(count));
+            !value.is_integer() && off.is_some_and(|off| off.abs() < Rational::ONE)
         };
         let has_number = last.contains(|char: char| char.is_ascii_digit());
-        let is_reason = match last.parse::<f64>() {
-            Ok(value) => is_near(value),
-            Err(_) => !has_number || last.contains([',', ':']) || last.contains(" and "),
+        let is_reason = match Rational::from_decimal(last) {
+            Some(value) => is_near(value),
+            None => !has_number || last.contains([',', ':']) || last.contains(" and "),
         };
         (own.is_none_or(|own| own == number) && is_reason).then_some(number)
     })
@@ -131,8 +132,8 @@ fn count(said: &str, known: &Wording) -> Option<String> {
 fn is_remark(remark: &str, count: &str) -> bool {
     let remark = remark.replace(" = ", "=").replace("=0", " ");
     let is_decimal = |own: &str| {
-        let value = own.parse::<f64>();
-        value.is_ok_and(|value| value.fract() != 0.0)
+        let value = Rational::from_decimal(own);
+        value.is_some_and(|value| !value.is_integer())
     };
     let is_factor = |own: &str| {
         let pair = own.parse::<u32>().ok().zip(count.parse::<u32>().ok());

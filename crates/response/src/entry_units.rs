@@ -1,6 +1,7 @@
 //! Lists whose entries have units of their own: `(1 m, -7.5 rad)`, `[2.3 kg, 0; 0, 0.26 kg m²]`.
 
 use super::before_unit::with_unit;
+use vibank_dynamics::numerics::Rational;
 use vibank_formula::unit::{Dimension, Unit};
 
 /// A list without the units of its entries, where each entry but a zero has that of its place, or all are scaled alike;
@@ -32,7 +33,7 @@ pub(crate) fn without(text: &str, units: &[Unit], may_be_scaled: bool) -> Option
     let found = bases.into_iter().find_map(|base| {
         let numbers = all.iter().zip(units).map(|(own, unit)| {
             let fits = |(number, typed): &&(&str, Unit)| {
-                is_same(unit, typed, base) || value(number) == Some(0.0)
+                is_same(unit, typed, base) || value(number) == Some(Rational::ZERO)
             };
             own.iter().find(fits).map(|(number, _)| *number)
         });
@@ -81,8 +82,8 @@ fn numbers(entry: &str) -> Vec<(&str, Unit)> {
     cut.collect()
 }
 
-fn value(text: &str) -> Option<f64> {
-    text.trim().replace(',', ".").parse().ok()
+fn value(text: &str) -> Option<Rational> {
+    Rational::from_decimal(&text.trim().replace(',', "."))
 }
 
 #[cfg(test)]

@@ -2,6 +2,7 @@
 //! `m1 x1 + m2 x2 = 0`.
 
 use super::relation::{Names, is_sum};
+use vibank_dynamics::numerics::Rational;
 
 /// Most components that are looked for.
 const MAX_WIDTH: usize = 9;
@@ -105,7 +106,7 @@ fn of_sides(left: &str, right: &str, names: &Names) -> Option<Relation> {
 }
 
 fn is_zero(text: &str) -> bool {
-    text.parse::<f64>().is_ok_and(|value| value == 0.0)
+    Rational::from_decimal(text).is_some_and(Rational::is_zero)
 }
 
 /// Whether brackets with several entries stand in a value, `u1 = (1, 2)`.

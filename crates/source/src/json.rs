@@ -43,6 +43,17 @@ pub trait FromJson: Sized {
     ///
     /// [`Misfit`]: what was expected first.
     fn from_json(json: Json) -> Result<Self, Misfit>;
+
+    /// Reads it from a text.
+    ///
+    /// # Errors
+    ///
+    /// [`Misfit`] where the text is no JSON, or that of something else.
+    fn from_text(text: &str) -> Result<Self, Misfit> {
+        // What serde_json says of a text would be a thousandth of the grader in the browser.
+        let json = serde_json::from_str(text).map_err(|_| Misfit::Expected("JSON"))?;
+        Self::from_json(json)
+    }
 }
 
 /// The fields of an object, which are taken out by their names.

@@ -3,7 +3,7 @@
 use super::domain::Condition;
 use crate::answer::meaning::{Meaning, ORDERS};
 use crate::expr::{Approx, Precise, Registers};
-use crate::numerics::exp2;
+use crate::numerics::exp;
 
 /// Numbers from a fixed seed (SplitMix64).
 #[derive(Clone, Debug)]
@@ -154,7 +154,7 @@ impl<'a> Around<'a> {
         keeps_whole: bool,
         beside: Option<&[Precise]>,
     ) -> Vec<Precise> {
-        let octaves = spread * std::f64::consts::LOG2_10;
+        let widest = spread * std::f64::consts::LN_10;
         let mut point = Vec::with_capacity(self.centres.len() * ORDERS);
         for (input, centre) in self.meaning.inputs.iter().zip(&self.centres) {
             let held = beside.filter(|_| input.is_datum());
@@ -178,7 +178,7 @@ impl<'a> Around<'a> {
                     point.push(other[point.len()]);
                     continue;
                 }
-                let mut value = size * exp2(octaves * share);
+                let mut value = size * exp(widest * share);
                 let seems_whole = || keeps_whole && centre.is_some_and(|own| own == own.round());
                 if input.is_integer || seems_whole() {
                     value = value.round().max(1.0);
