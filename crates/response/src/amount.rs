@@ -205,14 +205,12 @@ pub(crate) fn converted(number: Expr, from: &Unit, to: &Unit) -> Result<Expr, Tr
     let conversion = from
         .conversion(to)
         .map_err(|_| Trouble::Value(ValueTrouble::Units))?;
-    let is_degree = |unit: &Unit| *unit == Unit::degree();
-    let straight = || Expr::number(180);
     // Exactly so.
-    if is_degree(from) && *to == Unit::radian() {
-        return Ok(number * Expr::constant(Constant::Pi) / straight());
+    if *from == Unit::degree() && *to == Unit::radian() {
+        return Ok(number * Expr::constant(Constant::Pi) / Expr::number(180));
     }
-    if is_degree(to) && *from == Unit::radian() {
-        return Ok(number * straight() / Expr::constant(Constant::Pi));
+    if *to == Unit::degree() && *from == Unit::radian() {
+        return Ok(number * Expr::number(180) / Expr::constant(Constant::Pi));
     }
     let factor = to.of_si(conversion.apply(1.0));
     // An hour has 3600 s: a second is the quotient, and no decimal.

@@ -38,18 +38,15 @@ pub(crate) fn answering<'t>(text: &'t str, answers: impl Fn(Passage<'t>) -> bool
         return None;
     }
     let label = |own: &Span| label(text, *own).map(|label| Passage::of(&text[label.range()]));
-    let is_answer = |own: &&Span| label(own).is_some_and(&answers);
-    let mut answering = all.iter().filter(is_answer);
+    let mut answering = all.iter().filter(|own| label(own).is_some_and(&answers));
     // `V'' = 3 J at θ = 0` says where the only value holds.
-    let is_condition = |own: &&Span| {
+    let is_condition = |own: &Span| {
         let before = text[..own.range().start].trim_end();
         PLACES.iter().any(|word| before.ends_with(word))
     };
     match (answering.next(), answering.next()) {
         (Some(only), None) => label(&all[0]).map(|_| *only),
-        (None, _) if label(&all[0]).is_none() || all[1..].iter().all(|own| is_condition(&own)) => {
-            Some(all[0])
-        }
+        (None, _) if label(&all[0]).is_none() || all[1..].iter().all(is_condition) => Some(all[0]),
         _ => None,
     }
 }

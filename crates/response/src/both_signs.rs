@@ -39,9 +39,9 @@ impl Two {
     pub(crate) fn of(text: &str, from: usize, place: &str) -> Option<Self> {
         let (at, sign) = place.match_indices(['±', '∓']).next()?;
         let with = |which: usize| {
-            let replace =
-                |text: String, (sign, plain): &(&str, [&str; 2])| text.replace(sign, plain[which]);
-            SIGNS.iter().fold(text.to_owned(), replace)
+            SIGNS.iter().fold(text.to_owned(), |text, (sign, plain)| {
+                text.replace(sign, plain[which])
+            })
         };
         Some(Self {
             upper: with(0),

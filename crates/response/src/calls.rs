@@ -3,8 +3,8 @@
 use super::composition::{has_unit, number, uses_time};
 use super::parser::{Parser, Result};
 use super::signs::DECIMAL;
+use super::token::Item;
 use super::token::is_time;
-use super::token::{Item, Token};
 use super::ways::Doubtful;
 use super::words::Powered;
 use super::{Trouble, TypedError};
@@ -36,11 +36,10 @@ impl Parser<'_> {
     fn is_indexed(&self) -> bool {
         let next = self.tokens.get(self.at..).unwrap_or_default();
         let mut items = next.iter().map(|token| &token.item);
-        let is_sign = |item: Option<&Item>, sign| item == Some(&Item::Sign(sign));
-        is_sign(items.next(), '[')
+        items.next() == Some(&Item::Sign('['))
             && matches!(items.next(), Some(Item::Number(_)))
-            && is_sign(items.next(), ']')
-            && is_sign(items.next(), '{')
+            && items.next() == Some(&Item::Sign(']'))
+            && items.next() == Some(&Item::Sign('{'))
     }
 
     pub(crate) fn function(&mut self, function: Function, span: Span) -> Result<Expr> {
@@ -174,10 +173,9 @@ impl Parser<'_> {
         if uses_time(argument) || has_unit(argument) {
             return None;
         }
-        let is_sign = |token: &Token| token.item == Item::Sign('*');
         let mut at = self.at;
         loop {
-            at += usize::from(self.tokens.get(at).is_some_and(is_sign));
+            at += usize::from(self.tokens.get(at)?.item == Item::Sign('*'));
             let token = self.tokens.get(at)?;
             match token.item {
                 _ if is_time(token) => return Some(at + 1),

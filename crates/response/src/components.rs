@@ -64,13 +64,12 @@ fn read(
         return Ok(None);
     }
     one_in_each_term(&tokens, &vectors)?;
-    let component = |place: usize| {
-        let own = only_entry(&tokens, &vectors, place);
-        let read = readings(|ways| Parser::new(&own, side.end, ways).whole_formula());
-        read.map(|typed| typed.value)
-    };
     (0..count)
-        .map(component)
+        .map(|place| {
+            let own = only_entry(&tokens, &vectors, place);
+            let read = readings(|ways| Parser::new(&own, side.end, ways).whole_formula());
+            read.map(|typed| typed.value)
+        })
         .collect::<Result<_, _>>()
         .map(Some)
 }
@@ -127,14 +126,13 @@ fn one_in_each_term(tokens: &[Token], vectors: &[Vector]) -> Result<(), TypedErr
         if !is_end {
             continue;
         }
-        let within = |vector: &&Vector| (start..at).contains(&vector.open);
-        let divides = |vector: &Vector| {
-            let before = vector.open.checked_sub(1).map(|at| &tokens[at].item);
-            matches!(before, Some(Item::Sign('/' | '^')))
-        };
-        let own: Vec<&Vector> = vectors.iter().filter(within).collect();
-        let is_sound = match own[..] {
-            [vector] => !divides(vector),
+        let within = start..at;
+        let own = vectors.iter().filter(|own| within.contains(&own.open));
+        let is_sound = match own.collect::<Vec<_>>()[..] {
+            [vector] => {
+                let before = vector.open.checked_sub(1).map(|at| &tokens[at].item);
+                !matches!(before, Some(Item::Sign('/' | '^')))
+            }
             // `+ c.c.` is of all components.
             _ => at == start + 1 && tokens[start].item == Item::Conjugates,
         };

@@ -2,7 +2,7 @@
 
 use std::sync::OnceLock;
 
-use super::signs::is_apostrophe;
+use super::signs::{is_digit, is_of_word};
 use super::wording::Wording;
 use super::words::{COUNTS, DENIALS, DOUBTS, OTHER_VALUES, PARTS, WITHDRAWALS};
 use vibank_dynamics::numerics::Rational;
@@ -91,8 +91,9 @@ fn conclusion(text: &str, known: &Wording) -> Option<String> {
 
 /// A calculation without what is counted in it, `4 points x 3 = 12`.
 fn calculation(text: &str, known: &Wording) -> Option<String> {
-    let is_term = |word: &&str| !word.contains(char::is_alphabetic) || *word == "x";
-    let (terms, others): (Vec<&str>, Vec<&str>) = text.split_whitespace().partition(is_term);
+    let (terms, others): (Vec<&str>, Vec<&str>) = text
+        .split_whitespace()
+        .partition(|word| !word.contains(char::is_alphabetic) || *word == "x");
     let numbers = terms.iter().filter(|word| number(word).is_some());
     (numbers.count() > 1 && !others.is_empty() && are_idle(&others, known)).then(|| terms.join(" "))
 }
@@ -103,8 +104,8 @@ fn count(said: &str, known: &Wording) -> Option<String> {
     if let Some(number) = bare_count(said, known) {
         return Some(number);
     }
-    let bracketed = || said.strip_suffix(')')?.split_once(" (");
-    let (head, remark) = bracketed()
+    let bracketed = said.strip_suffix(')').and_then(|own| own.split_once(" ("));
+    let (head, remark) = bracketed
         .or_else(|| said.split_once(':'))
         .or_else(|| said.split_once(", "))?;
     let number = bare_count(head.trim(), known)?;
@@ -158,14 +159,15 @@ fn is_other(word: &str) -> bool {
 
 /// Whether words are known, and leave a count beside them as it is.
 fn are_idle(words: &[&str], known: &Wording) -> bool {
-    let is_plain = |word: &&str| {
-        let is_letter =
-            |char: char| char.is_alphabetic() || "-,.".contains(char) || is_apostrophe(char);
+    let are_plain = words.iter().all(|word| {
+        let mut chars = word.chars();
         // `half cycles` is one word.
         let is_known = *word == "half" || !is_other(word);
-        word.chars().all(is_letter) && word.chars().nth(1).is_some() && is_known
-    };
-    words.iter().all(is_plain) && Wording::of(&words.join(" ")).is_part_of(known)
+        chars.all(|char| is_of_word(char) || ",.".contains(char))
+            && word.chars().nth(1).is_some()
+            && is_known
+    });
+    are_plain && Wording::of(&words.join(" ")).is_part_of(known)
 }
 
 /// The only number among words that name what is counted.
@@ -179,8 +181,7 @@ fn bare_count(said: &str, known: &Wording) -> Option<String> {
         return None;
     };
     // Who is asked how many says no rank.
-    let is_rank =
-        only.ends_with(char::is_alphabetic) && only.starts_with(|at: char| at.is_ascii_digit());
+    let is_rank = only.ends_with(char::is_alphabetic) && only.starts_with(is_digit);
     let is_asked = !is_rank || known.has_word("which");
     let is_said = is_asked && words.len() <= MAX_WORDS && are_idle(&others, known);
     number(only).filter(|_| is_said)
@@ -190,7 +191,7 @@ fn bare_count(said: &str, known: &Wording) -> Option<String> {
 fn words(said: &str) -> Vec<String> {
     let mut words: Vec<String> = Vec::new();
     for word in said.split_whitespace() {
-        let noun = word.trim_start_matches(|char: char| char.is_ascii_digit());
+        let noun = word.trim_start_matches(is_digit);
         // `2nd` is a number, and `2m` none.
         let is_noun = noun.chars().all(char::is_alphabetic) && noun.chars().nth(2).is_some();
         let (figures, noun) = word.split_at(if is_noun { word.len() - noun.len() } else { 0 });
@@ -215,23 +216,19 @@ pub(crate) fn is_count(stem: &str) -> bool {
 /// The number that a word is, in digits: `two`, `2`, `2nd`, `twenty-four`.
 fn number(word: &str) -> Option<String> {
     let word = word.trim_end_matches(',');
-    let is_figure = |byte: u8| byte.is_ascii_digit() || b".,".contains(&byte);
-    if word.starts_with(|first: char| first.is_ascii_digit()) {
+    if word.starts_with(is_digit) {
         let mut ranks = ["st", "nd", "rd", "th"].into_iter();
         let bare = ranks
             .find_map(|rank| word.strip_suffix(rank))
             .unwrap_or(word);
-        return bare.bytes().all(is_figure).then(|| bare.to_owned());
+        let mut figures = bare.bytes();
+        let is_number = figures.all(|byte| byte.is_ascii_digit() || b".,".contains(&byte));
+        return is_number.then(|| bare.to_owned());
     }
-    let is_roman = |own: &str| own.starts_with('I');
-    let is_it = |own: &str| {
-        if is_roman(own) {
-            word == own
-        } else {
-            word.eq_ignore_ascii_case(own)
-        }
-    };
-    let found = COUNTS.iter().find(|(own, _)| is_it(own));
+    let found = COUNTS.iter().find(|(own, _)| {
+        let is_roman = own.starts_with('I');
+        word == *own || !is_roman && word.eq_ignore_ascii_case(own)
+    });
     let found = found.map(|(_, number)| i128::from(*number));
     Some(found.or_else(|| spelled(word))?.to_string())
 }
@@ -270,29 +267,20 @@ pub(crate) fn in_words(text: &str) -> Option<(Rational, bool)> {
 
 /// The words of a number at the beginning of a text, as far as they are such, and what comes after them: `ten thousand N`.
 pub(crate) fn in_front(text: &str) -> (&str, &str) {
-    let is_number = |word: &str| word.split('-').all(|word| size(word).is_some());
-    let mut length = 0;
-    for word in text.split_inclusive(' ') {
-        if !is_number(word.trim_end()) {
-            break;
-        }
-        length += word.len();
-    }
-    text.split_at(length)
+    let words = text.split_inclusive(' ');
+    let numbers =
+        words.take_while(|word| word.trim_end().split('-').all(|word| size(word).is_some()));
+    text.split_at(numbers.map(str::len).sum())
 }
 
 /// The size of a word for a number, where no other word is meant by it.
 fn size(word: &str) -> Option<i128> {
-    let is_other = |own: &str| {
-        own.starts_with('I')
-            || matches!(
-                own,
-                "no" | "none" | "null" | "double" | "single" | "triple" | "twofold"
-            )
-    };
-    let found = COUNTS
-        .iter()
-        .find(|(own, _)| !is_other(own) && word.eq_ignore_ascii_case(own));
+    const OTHERS: [&str; 7] = [
+        "no", "none", "null", "double", "single", "triple", "twofold",
+    ];
+    let found = COUNTS.iter().find(|(own, _)| {
+        word.eq_ignore_ascii_case(own) && !own.starts_with('I') && !OTHERS.contains(own)
+    });
     found.map(|(_, number)| i128::from(*number))
 }
 

@@ -38,12 +38,11 @@ const INDICES: [&str; 4] = ["0", "n", "o", "N"];
 
 /// The only natural frequency among names, `ω_n`, if it may be used.
 pub(crate) fn natural_frequency(entries: &[LexiconEntry]) -> Option<&Name> {
-    let is_natural = |entry: &&LexiconEntry| {
+    let mut found = entries.iter().filter(|entry| {
         let spelling = Letters::spelling(entry.name().as_str()).unwrap_or_default();
         let index = spelling.strip_prefix("omega");
         index.is_some_and(|index| INDICES.contains(&index))
-    };
-    let mut found = entries.iter().filter(is_natural);
+    });
     match (found.next()?, found.next()) {
         (LexiconEntry::Allowed(name, ..), None) => Some(name),
         _ => None,
@@ -114,7 +113,7 @@ pub(crate) fn bare_frequency(entries: &[LexiconEntry]) -> Option<&Name> {
 /// which it may stand, since the item has no other name of that letter.
 pub(crate) fn about_axis(entries: &[LexiconEntry]) -> Vec<(&'static str, &Name)> {
     const LETTERS: [(char, &str); 2] = [('I', "IO"), ('J', "JO")];
-    let only = |(letter, word): (char, &'static str)| {
+    let only = LETTERS.into_iter().filter_map(|(letter, word)| {
         let mut of_letter = entries
             .iter()
             .filter(|entry| entry.name().as_str().starts_with(letter));
@@ -124,8 +123,8 @@ pub(crate) fn about_axis(entries: &[LexiconEntry]) -> Vec<(&'static str, &Name)>
             }
             _ => None,
         }
-    };
-    LETTERS.into_iter().filter_map(only).collect()
+    });
+    only.collect()
 }
 
 /// What the decay rate λ is in the damping ratio and the natural frequency, `ζ ω_n`, if both may be used.
@@ -169,18 +168,17 @@ pub(crate) struct CustomaryRate {
 /// moving names; none for an index that several coordinates have.
 pub(crate) fn velocities(moving: &[(String, Name)]) -> Vec<CustomaryRate> {
     let (coordinates, rates) = VELOCITIES;
-    let of = |(spelling, name): &(String, Name)| {
+    let positions = moving.iter().filter_map(|(spelling, name)| {
         let mut letters = coordinates.iter();
         let index = letters.find_map(|letter| spelling.strip_prefix(letter))?;
         is_index(index).then(|| (index.to_owned(), name.clone()))
-    };
-    let mut positions: Vec<(String, Name)> = moving.iter().filter_map(of).collect();
+    });
+    let mut positions: Vec<(String, Name)> = positions.collect();
     positions.dedup();
-    let is_only = |(index, name): &&(String, Name)| {
+    let only = positions.iter().filter(|(index, name)| {
         let mut others = positions.iter();
         !others.any(|(own, other)| own == index && other != name)
-    };
-    let only = positions.iter().filter(is_only);
+    });
     let all = only.flat_map(|(index, name)| {
         rates.iter().map(move |(letter, order)| CustomaryRate {
             letter,

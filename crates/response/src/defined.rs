@@ -6,7 +6,7 @@ use super::customary::{DAMPING_RATIOS, DECAY_RATES, RATES};
 use super::differential::spelling;
 use super::list::{cut_where, trimmed};
 use super::sides::is_word;
-use super::signs::is_apostrophe;
+use super::signs::{is_apostrophe, is_digit, is_of_word};
 use super::statements::{moved, statements};
 use super::{
     Chain, Lexicon, Manner, Passage, Trouble, Typed, TypedError, formula_at, letters, sides,
@@ -87,12 +87,12 @@ pub(crate) fn said(text: &str, statement: Span, lexicon: &Lexicon, may_be_produc
         }
         (None, _) => return Said::Equation,
     };
-    let says_nothing = |side: &Span| {
+    let says_nothing = sides.iter().any(|side| {
         let side = text[side.range()].trim();
         sides::described(side) == Some("")
             || letter.is_known && !lexicon.is_moving(&letter.name) && is_value(side)
-    };
-    if sides.iter().any(says_nothing) {
+    });
+    if says_nothing {
         return Said::Nothing;
     }
     Said::Letter(Definition {
@@ -127,7 +127,7 @@ fn multiple(side: &str, lexicon: &Lexicon) -> Option<(Expr, Letter)> {
 
 /// The integer before a letter, and what comes after it: `2λ`, `2*λ`.
 fn factor_before(side: &str) -> Option<(i32, &str)> {
-    let rest = side.trim_start_matches(|first: char| first.is_ascii_digit());
+    let rest = side.trim_start_matches(is_digit);
     let factor = side[..side.len() - rest.len()].parse().ok()?;
     let rest = rest.trim_start();
     let rest = rest.strip_prefix('*').map_or(rest, str::trim_start);
@@ -147,10 +147,8 @@ pub(crate) fn defined_chains(
     may_redefine: bool,
 ) -> Option<Result<Vec<Typed<Chain>>, TypedError>> {
     let mut all = statements(text);
-    let is_of_words =
-        |char: char| char.is_alphabetic() || is_apostrophe(char) || " -.".contains(char);
     if let [first, _, ..] = all[..]
-        && text[first.range()].chars().all(is_of_words)
+        && !text[first.range()].contains(|char| !is_of_word(char) && !" .".contains(char))
     {
         all.remove(0);
     }
@@ -187,23 +185,19 @@ pub(crate) fn defined_chains(
         definitions.remove(0);
     }
     // `x2 + y2 = l2` may be an equation of its own.
-    let is_behind = |(own, statement): &&(Definition, Span)| {
+    let behind = definitions.iter().filter(|(own, statement)| {
         let start = statement.range().start;
         own.values.iter().any(|value| value.range().start == start)
-    };
-    let behind: Vec<Name> = definitions
-        .iter()
-        .filter(is_behind)
-        .map(|(own, _)| own.name.clone())
-        .collect();
+    });
+    let behind: Vec<Name> = behind.map(|(own, _)| own.name.clone()).collect();
     let mut definitions: Vec<Definition> = definitions.into_iter().map(|(own, _)| own).collect();
     let customary = customary(lexicon).into_iter();
     let customary: Vec<Definition> = customary
         .filter(|own| definitions.iter().all(|other| other.name != own.name))
         .collect();
     definitions.extend(customary);
-    let is_whole = |equation: &Span| equation.range() == (0..text.trim_end().len());
-    if definitions.is_empty() && is_one && equations.iter().all(is_whole) {
+    let whole = Span::new(0, text.trim_end().len());
+    if definitions.is_empty() && is_one && equations.iter().all(|own| *own == whole) {
         return None;
     }
     let defined = Defined::of(text, definitions, lexicon, manner);
@@ -214,28 +208,27 @@ pub(crate) fn defined_chains(
     if let Some(error) = unread {
         return Some(Err(error));
     }
-    let read = |equation: Span| {
+    let chains = equations.into_iter().map(|equation| {
         let place = equation.range();
         let typed = super::chain(text, place.start, place.end, &defined.lexicon, manner)?;
-        let chain = |compared: &Expr| match compared.kind() {
+        let all = [typed.value].into_iter().chain(typed.others);
+        let compared = all.map(|chain| Expr::derived(Kind::Compare(chain.sides, chain.relations)));
+        let readings = defined.readings(compared)?.into_iter();
+        let mut chains = readings.filter_map(|compared| match compared.kind() {
             Kind::Compare(sides, relations) => Some(Chain {
                 sides: sides.clone(),
                 relations: relations.clone(),
             }),
             _ => None,
-        };
-        let all = [typed.value].into_iter().chain(typed.others);
-        let compared = all.map(|chain| Expr::derived(Kind::Compare(chain.sides, chain.relations)));
-        let readings = defined.readings(compared)?;
-        let mut chains = readings.iter().filter_map(chain);
+        });
         let missing = TypedError::new(Trouble::Missing, place.start, place.end);
         let value = chains.next().ok_or(missing)?;
         Ok(Typed {
             value,
             others: chains.collect(),
         })
-    };
-    Some(equations.into_iter().map(read).collect())
+    });
+    Some(chains.collect())
 }
 
 /// A statement without what its colon says of it, `Newton: m x'' = -k x`.
@@ -351,8 +344,7 @@ impl Defined {
 
 /// Whether a text is a number with a unit or without.
 fn is_value(text: &str) -> bool {
-    let is_of_number = |char: char| char.is_ascii_digit() || "-+.,*^ ".contains(char);
-    let unit = text.trim_start_matches(is_of_number);
+    let unit = text.trim_start_matches(|char| is_digit(char) || "-+.,*^ ".contains(char));
     begins_value(text) && (unit.is_empty() || Unit::read(unit).is_ok())
 }
 
@@ -432,13 +424,8 @@ fn substituted(
     for _ in 0..=definitions.len() {
         let mut is_done = true;
         for (definition, value) in definitions {
-            let uses = |expr: &Expr| {
-                let names = expr.names().free;
-                names
-                    .iter()
-                    .any(|used| used.name == definition.name && used.order >= definition.order)
-            };
-            if !readings.iter().any(uses) {
+            let mut used = readings.iter().flat_map(|expr| expr.names().free);
+            if !used.any(|own| own.name == definition.name && own.order >= definition.order) {
                 continue;
             }
             is_done = false;
@@ -449,13 +436,11 @@ fn substituted(
             };
             let values = [&typed.value].into_iter().chain(&typed.others);
             let values: Vec<Expr> = values.map(|value| definition.value_of(value)).collect();
-            let put = |expr: &Expr| -> Vec<Expr> {
-                let all = values
-                    .iter()
-                    .filter_map(|value| definition.put(expr, value, lexicon));
-                all.collect()
-            };
-            readings = readings.iter().flat_map(put).take(MAX_READINGS).collect();
+            let all = readings.iter().flat_map(|expr| {
+                let values = values.iter();
+                values.filter_map(|value| definition.put(expr, value, lexicon))
+            });
+            readings = all.take(MAX_READINGS).collect();
         }
         if is_done {
             return Ok(readings);

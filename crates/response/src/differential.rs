@@ -1,6 +1,7 @@
 //! Time derivatives as quotients of differentials, `dx/dt`, `\frac{d^2 x}{dt^2}`, and as functions, `diff(x, t, 2)`.
 
 use super::letters::{Letters, combining, dotted, greek_word, letter, name_of_command};
+use crate::signs::is_of_name;
 use vibank_formula::work;
 
 /// Reads a quotient of differentials at a place, `dx/dt`, `(d^2 x)/(d t^2)`, `{dx}/{dt}`: spelling of the name, order, end.
@@ -88,8 +89,8 @@ pub(crate) fn by_operator(text: &str, at: usize) -> Option<(String, u8, usize)> 
 
 /// The length of the name with which a text begins.
 fn length_of_name(text: &str) -> usize {
-    let is_of_name = |char: char| char.is_alphanumeric() || "_{}\\".contains(char);
-    text.find(|char| !is_of_name(char)).unwrap_or(text.len())
+    let is_part = |char| is_of_name(char) || "{}\\".contains(char);
+    text.find(|char| !is_part(char)).unwrap_or(text.len())
 }
 
 /// The spelling of a name that may have dots or primes of its own, `x'`, `\dot x`, and how many.
@@ -152,8 +153,7 @@ pub(crate) fn called(text: &str, at: usize) -> Option<(String, u8, usize)> {
     let bare = [("ddot ", 2), ("dot ", 1)];
     if let Some((word, order)) = bare.iter().find(|(word, _)| rest.starts_with(word)) {
         let name = rest[word.len()..].trim_start();
-        let end = name.find(|char: char| !char.is_alphanumeric() && char != '_');
-        let end = end.unwrap_or(name.len());
+        let end = name.len() - name.trim_start_matches(is_of_name).len();
         let length = rest.len() - name.len() + end;
         return Some((Letters::spelling(&name[..end])?, *order, at + length));
     }
@@ -209,7 +209,7 @@ pub(crate) fn method(text: &str, at: usize) -> Option<(String, u8, usize)> {
     // The time, and the order.
     const MAX_LENGTH: usize = 20;
     let rest = &text[at..];
-    let name = &rest[..rest.find(|char: char| !char.is_alphanumeric() && char != '_')?];
+    let name = &rest[..rest.find(|char| !is_of_name(char))?];
     let behind = &rest[name.len()..];
     let inner = behind
         .strip_prefix("(t)")
@@ -239,15 +239,14 @@ fn closing(text: &str, before: usize) -> Option<usize> {
     let text = &text[..text.floor_char_boundary(before)];
     let _ = work::spend(text.len() as u64 / 8);
     let mut depth = 0_i32;
-    let closes = |char: char| {
+    text.find(|char: char| {
         depth += match char {
             '(' | '[' => 1,
             ')' | ']' => -1,
             _ => 0,
         };
         depth < 0
-    };
-    text.find(closes)
+    })
 }
 
 struct Differentials<'a> {

@@ -2,7 +2,7 @@
 
 use super::lexer::Lexer;
 use super::nothing::unit_of_nothing;
-use super::signs::DECIMAL;
+use super::signs::{DECIMAL, is_between_digits, is_digit, is_of_name};
 use super::token::{Item, Token};
 use super::words::Powered;
 use super::{Trouble, TypedError};
@@ -24,7 +24,7 @@ impl Lexer<'_> {
             return false;
         };
         let rest = rest.strip_prefix("rees").unwrap_or(rest);
-        let is_word = !rest.starts_with(|next: char| next.is_alphanumeric() || next == '_');
+        let is_word = !rest.starts_with(is_of_name);
         if is_word {
             self.take(self.rest().len() - rest.len(), Item::Degree);
         }
@@ -42,7 +42,6 @@ impl Lexer<'_> {
             }
             _ => false,
         };
-        let is_digit = |next: char| next.is_ascii_digit();
         if let Some(decimals) = self.rest().strip_prefix(DECIMAL)
             && decimals.starts_with(is_digit)
         {
@@ -151,11 +150,6 @@ impl Lexer<'_> {
             }
             _ => false,
         };
-        let takes_several = |token: &Token| match token.item {
-            Item::Function(function) => function.arity().1 > 1,
-            Item::Powered(powered) => powered != Powered::CubeRoot,
-            _ => false,
-        };
         let Some(open) = self.tokens.iter().rposition(opens) else {
             return Comma::Decimal;
         };
@@ -163,7 +157,12 @@ impl Lexer<'_> {
         let inner = &self.text[start..];
         let inner = inner.split([')', ']', '}']).next().unwrap_or_default();
         let called = self.tokens[..open].last();
-        if called.is_some_and(takes_several) && !inner.contains(';') {
+        let takes_several = called.is_some_and(|token| match token.item {
+            Item::Function(function) => function.arity().1 > 1,
+            Item::Powered(powered) => powered != Powered::CubeRoot,
+            _ => false,
+        });
+        if takes_several && !inner.contains(';') {
             return Comma::Parts;
         }
         let is_arc = called.is_some_and(|token| token.item == Item::Function(Function::Atan));
@@ -196,7 +195,7 @@ impl Lexer<'_> {
             return;
         };
         let signed = after.strip_prefix(['-', '+']).unwrap_or(after);
-        if !signed.starts_with(|next: char| next.is_ascii_digit()) {
+        if !signed.starts_with(is_digit) {
             return;
         }
         let is_negative = after.starts_with('-');
@@ -261,9 +260,8 @@ fn are_two_numbers(text: &str) -> bool {
 
 /// Whether this decimal sign stands between two digits.
 fn has_decimal(text: &str, sign: char) -> bool {
-    let is_digit = |char: char| char.is_ascii_digit();
     let mut signs = text.match_indices(sign);
-    signs.any(|(at, _)| text[..at].ends_with(is_digit) && text[at + 1..].starts_with(is_digit))
+    signs.any(|(at, _)| is_between_digits(text, at))
 }
 
 /// `½` and its like.
@@ -305,6 +303,6 @@ fn is_factorial(before: Option<&Token>, behind: &str) -> bool {
 /// Whether the next number has the sign of a factorial, too.
 fn begins_with_factorial(text: &str) -> bool {
     let text = text.trim_start();
-    let behind = text.trim_start_matches(|char: char| char.is_ascii_digit());
+    let behind = text.trim_start_matches(is_digit);
     behind.len() < text.len() && behind.starts_with('!')
 }

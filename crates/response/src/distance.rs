@@ -9,13 +9,12 @@ pub(crate) fn distance(text: &str) -> Option<([Passage<'_>; 2], bool)> {
     if inner.contains(['|', '(', ')', '[', ']']) {
         return None;
     }
-    let is_between = |(at, _): &(usize, &str)| {
+    let mut signs = inner.match_indices(['+', '-']).filter(|(at, _)| {
         let before = inner[..*at].trim_end();
         // `1e-3` has one in it, and so has `10^-3`.
         let is_exponent = before.ends_with(['e', 'E']) && before.len() == *at;
         !before.is_empty() && !is_exponent && !before.ends_with(['^', '*', '/', '+', '-'])
-    };
-    let mut signs = inner.match_indices(['+', '-']).filter(is_between);
+    });
     let (at, sign) = signs.next().filter(|_| signs.next().is_none())?;
     let terms = [&inner[..at], &inner[at + sign.len()..]].map(Passage::of);
     Some((terms, sign == "-"))

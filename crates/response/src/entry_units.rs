@@ -1,6 +1,7 @@
 //! Lists whose entries have units of their own: `(1 m, -7.5 rad)`, `[2.3 kg, 0; 0, 0.26 kg m²]`.
 
 use super::before_unit::with_unit;
+use super::signs::is_between_digits;
 use vibank_dynamics::numerics::Rational;
 use vibank_formula::unit::{Dimension, Unit};
 
@@ -52,13 +53,10 @@ pub(crate) fn without(text: &str, units: &[Unit], may_be_scaled: bool) -> Option
 /// Where the entries of a list stand, without its brackets.
 fn entries(text: &str) -> Vec<std::ops::Range<usize>> {
     const AROUND: [char; 7] = ['(', ')', '[', ']', '{', '}', ' '];
-    let digit = |char: char| char.is_ascii_digit();
-    let is_end = |at: usize, char: char| {
-        let is_decimal =
-            char == ',' && text[..at].ends_with(digit) && text[at + 1..].starts_with(digit);
-        matches!(char, ',' | ';' | ':' | '&' | '\n') && !is_decimal
-    };
-    let ends = text.char_indices().filter(|(at, char)| is_end(*at, *char));
+    let ends = text.char_indices().filter(|(at, char)| match char {
+        ',' => !is_between_digits(text, *at),
+        char => matches!(char, ';' | ':' | '&' | '\n'),
+    });
     let mut start = 0;
     let mut entries = Vec::new();
     for end in ends.map(|(at, _)| at).chain([text.len()]) {

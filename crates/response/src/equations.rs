@@ -2,6 +2,7 @@
 
 use super::arguments::is_initial_state;
 use super::list::cut;
+use crate::signs::is_digit;
 use vibank_source::Span;
 
 /// The equations of a text, cut at semicolons, line ends, and commas or `and` between equations.
@@ -12,12 +13,9 @@ pub(crate) fn equations(text: &str) -> Vec<Span> {
     for line in cut(text, all, &[';', '\n']) {
         let commas = cut(text, line, &[',']).into_iter();
         let parts: Vec<Span> = commas.flat_map(|part| cut_at_and(text, part)).collect();
-        let is_relation = |part: &Span| text[part.range()].contains(RELATIONS);
-        found.extend(if parts.iter().all(is_relation) {
-            parts
-        } else {
-            vec![line]
-        });
+        let mut texts = parts.iter().map(|part| &text[part.range()]);
+        let are_relations = texts.all(|text| text.contains(RELATIONS));
+        found.extend(if are_relations { parts } else { vec![line] });
     }
     found.retain(|place| !text[place.range()].trim().is_empty());
     // The state at the start says nothing of the motion, where that is given.
@@ -54,10 +52,7 @@ fn cut_at_and(text: &str, place: Span) -> Vec<Span> {
 
 /// A number that an equation bears, `(2) m x'' = …`, `2. m x'' = …` or `m x'' = … (2)`.
 pub(crate) fn number_of_equation(equation: &str) -> Option<&str> {
-    let digits = |text: &str| {
-        let end = text.find(|char: char| !char.is_ascii_digit());
-        end.unwrap_or(text.len())
-    };
+    let digits = |text: &str| text.len() - text.trim_start_matches(is_digit).len();
     let open = usize::from(equation.starts_with('('));
     let count = digits(&equation[open..]);
     let behind = open + count;

@@ -1,6 +1,7 @@
 //! Why a formula cannot be read, and where.
 
 use super::Passage;
+use crate::signs::is_of_name;
 use vibank_source::Span;
 
 /// What stands in the way of reading a formula.
@@ -146,7 +147,7 @@ fn last_signs(text: &str) -> &str {
     let Some((mut start, _)) = text.char_indices().rev().take(ABOUT).last() else {
         return text;
     };
-    let is_of_word = |char: char| char.is_alphanumeric() || char == '_' || char == '\\';
+    let is_of_word = |char| is_of_name(char) || char == '\\';
     if text[start..].starts_with(is_of_word) {
         start = text[..start].trim_end_matches(is_of_word).len();
     }

@@ -22,7 +22,9 @@ use self::plain::{has_barred_numbers, has_cells};
 pub(crate) use self::programs::arguments_of_call;
 pub(crate) use self::spaces::OneWidth;
 use self::words::is_shouted;
-use super::signs::{MIDDLE_POINT, Plain, is_minus, of_char, run_at, would_run};
+use super::signs::{
+    MIDDLE_POINT, Plain, is_digit, is_minus, is_of_name, of_char, run_at, would_run,
+};
 use super::surroundings::answer_in;
 use vibank_formula::unit::Unit;
 
@@ -300,21 +302,17 @@ impl<'t> Folder<'t> {
     /// Whether integers stand right before and after the sign here, and end there; a power of ten is raised.
     fn is_between_integers(&self) -> bool {
         const DECIMALS: [char; 3] = ['.', ',', '·'];
-        let is_digit = |char: char| char.is_ascii_digit();
-        let ends = |text: &str| !text.starts_with(DECIMALS) && !text.starts_with(['^', 'e', 'E']);
         let before = &self.typed[..self.at];
         let whole = before.trim_end_matches(is_digit);
         let behind = &self.rest()['·'.len_utf8()..];
         let rest = behind.trim_start_matches(is_digit);
-        let begins = |text: &str| {
-            !text.ends_with(DECIMALS)
-                && !text.ends_with(|last: char| last.is_alphanumeric() || last == '_')
-        };
         whole.len() < before.len()
-            && begins(whole)
+            && !whole.ends_with(DECIMALS)
+            && !whole.ends_with(is_of_name)
             && rest.len() < behind.len()
             && !behind.starts_with("10")
-            && ends(rest)
+            && !rest.starts_with(DECIMALS)
+            && !rest.starts_with(['^', 'e', 'E'])
     }
 
     /// `1.4 10^-2`, as on paper; whether the space before the power stands here. In square brackets it parts entries.
@@ -325,9 +323,7 @@ impl<'t> Folder<'t> {
             power.starts_with(|next: char| "^⁻⁺".contains(next) || "¹²³⁴⁵⁶⁷⁸⁹".contains(next))
                 || power.starts_with("**")
         });
-        is_power
-            && before.ends_with(|last: char| last.is_ascii_digit())
-            && !before.contains(['[', '&', '^'])
+        is_power && before.ends_with(is_digit) && !before.contains(['[', '&', '^'])
     }
 
     /// What stands between a number and its power of ten, and how long that is.
@@ -342,7 +338,6 @@ impl<'t> Folder<'t> {
 
     /// `1.4 E -2`, as some calculators show it.
     fn is_before_spaced_power(&self) -> bool {
-        let is_digit = |char: char| char.is_ascii_digit();
         let power = self.rest().strip_prefix(" E ");
         let power = power.map(|power| power.strip_prefix(['+', '-']).unwrap_or(power));
         power.is_some_and(|power| power.starts_with(is_digit))
@@ -351,7 +346,6 @@ impl<'t> Folder<'t> {
 
     /// `1,4.10^-2`: after a decimal comma the point before a power of ten multiplies.
     fn is_french_times(&self) -> bool {
-        let is_digit = |char: char| char.is_ascii_digit();
         let whole = self.typed[..self.at].trim_end_matches(is_digit);
         let power = self.rest()[1..].strip_prefix("10");
         whole.len() < self.at

@@ -7,7 +7,7 @@ use super::error::At;
 use super::fold::{OneWidth, folded, is_plain};
 use super::passage::Passage;
 use super::ranges::Bound;
-use super::signs::is_minus;
+use super::signs::{is_digit, is_minus};
 use vibank_source::Span;
 
 /// A response in plain signs: letters of mathematical alphabets as ordinary ones, one minus, one sign for "at most",
@@ -152,7 +152,7 @@ impl<'t> Folded<'t> {
         let mut starts = text.match_indices(' ').map(|(at, _)| at + 1);
         let start = starts.find(|at| {
             let unsigned = text[*at..].strip_prefix(is_minus).unwrap_or(&text[*at..]);
-            unsigned.starts_with(|first: char| first.is_ascii_digit())
+            unsigned.starts_with(is_digit)
         })?;
         let name = text[..start].trim();
         let is_name = name.starts_with(|first: char| first.is_alphabetic() || first == '\\');

@@ -3,6 +3,7 @@
 use super::before_unit::{gathered, with_unit};
 use super::letters::greek_word;
 use super::list::{Reader, Wanted};
+use super::signs::{is_digit, is_of_name};
 use super::words::MODULES;
 use super::{Trouble, TypedError};
 use vibank_formula::expr::{Expr, Kind, Operator};
@@ -55,14 +56,14 @@ impl Reader<'_> {
             return before;
         };
         let own = without_times(own).trim_end();
-        let is_of_name = |char: char| char.is_alphanumeric() || "_{}\\".contains(char);
+        let mut chars = own.chars();
         // `transpose` is not a letter.
         let letter = own.split('_').next().unwrap_or(own);
-        let letter = letter.trim_end_matches(|char: char| char.is_ascii_digit());
+        let letter = letter.trim_end_matches(is_digit);
         let is_letter =
             letter.chars().count() == 1 || greek_word(letter.trim_start_matches('\\')).is_some();
         let is_factor = is_letter
-            && own.chars().all(is_of_name)
+            && chars.all(|char| is_of_name(char) || "{}\\".contains(char))
             && self.formula_in(own, Span::new(0, own.len())).is_err();
         if is_factor { &before[..start] } else { before }
     }
@@ -211,8 +212,8 @@ pub(crate) fn without_module(before: &str) -> &str {
     /// Of matrices alone.
     const OF_MATRICES: [&str; 2] = ["Matrix.", "la."];
     let mut rest = before;
-    let modules = || MODULES.iter().chain(&OF_MATRICES);
-    while let Some(own) = modules().find_map(|module| rest.strip_suffix(module)) {
+    let modules = MODULES.iter().chain(&OF_MATRICES);
+    while let Some(own) = modules.clone().find_map(|module| rest.strip_suffix(module)) {
         rest = own;
     }
     rest

@@ -3,6 +3,7 @@
 use super::list::{cut, trimmed};
 use super::words::RANKS;
 use super::{Trouble, TypedError};
+use crate::signs::{is_digit, is_digit_or_index};
 use vibank_dynamics::numerics::SortedMap;
 use vibank_source::{Span, lower};
 
@@ -63,24 +64,19 @@ pub(crate) fn in_order(text: &str, labels: &[Option<Span>]) -> Result<(), TypedE
 fn is_computed(label: &str) -> bool {
     const FUNCTIONS: [&str; 5] = ["inv", "det", "\\det", "sqrt", "\\sqrt"];
     let label = label.trim_start();
-    let is_called = |name: &&str| {
-        let rest = label.strip_prefix(*name);
-        rest.is_some_and(|rest| rest.starts_with([' ', '(', '{', '\\']))
-    };
+    let mut arguments = FUNCTIONS.iter().filter_map(|name| label.strip_prefix(name));
     let factor =
         label.trim_start_matches(|char: char| char.is_ascii_digit() || "./*".contains(char));
     let is_ordinal = ["st", "nd", "rd", "th"]
         .iter()
         .any(|end| factor.starts_with(end));
-    let is_scaled = label.starts_with(|char: char| char.is_ascii_digit())
-        && factor.starts_with(char::is_alphabetic)
-        && !is_ordinal;
+    let is_scaled =
+        label.starts_with(is_digit) && factor.starts_with(char::is_alphabetic) && !is_ordinal;
     // `u_1^2` is a square where the index numbers the mode; `u^2`, `u^{(2)}` and `u_1^{(2)}` are modes.
     let is_square = label
         .split_once(['^', '²', '³'])
         .is_some_and(|(base, power)| {
-            let is_digit = |char: char| char.is_ascii_digit();
-            base.ends_with(|last| is_digit(last) || ('₀'..='₉').contains(&last) || last == '}')
+            base.ends_with(|last| is_digit_or_index(last) || last == '}')
                 && power
                     .trim_end_matches([' ', '=', ':', '≈'])
                     .chars()
@@ -90,7 +86,7 @@ fn is_computed(label: &str) -> bool {
         || is_scaled
         || is_square
         || ["^-", "^{-", "≠"].iter().any(|sign| label.contains(sign))
-        || FUNCTIONS.iter().any(is_called)
+        || arguments.any(|rest| rest.starts_with([' ', '(', '{', '\\']))
 }
 
 /// The rows of a matrix whose entries have symbols with two indices, in any order and several for one value,
@@ -134,10 +130,9 @@ pub(crate) fn by_indices(text: &str, pieces: &[Span]) -> Option<Vec<Vec<Span>>> 
 /// The two indices of a symbol of an entry, `K12`, `K_{12}`, `k_{1,2}`, `K₁₂`.
 fn indices(symbol: &str) -> Option<(u32, u32)> {
     let name = symbol.trim().trim_start_matches(char::is_alphabetic);
-    let is_of_indices = |char: char| {
-        char.is_ascii_digit() || ('₀'..='₉').contains(&char) || "_{},() ".contains(char)
-    };
-    let is_named = name.len() < symbol.trim().len() && name.chars().all(is_of_indices);
+    let mut chars = name.chars();
+    let is_named = name.len() < symbol.trim().len()
+        && chars.all(|char| is_digit_or_index(char) || "_{},() ".contains(char));
     let both = number(name).filter(|both| is_named && (11..=99).contains(both) && both % 10 > 0)?;
     Some((both / 10, both % 10))
 }
@@ -151,20 +146,20 @@ fn place(label: &str) -> Option<(u32, &str)> {
         .find(|(own, _)| *own == word)
         .and_then(|(_, rank)| *rank);
     let number = rank.map(u32::from).or_else(|| number(label))?;
-    let is_digit = |char: char| char.is_ascii_digit() || ('₀'..='₉').contains(&char);
-    Some((number, label.rsplit(is_digit).next().unwrap_or_default()))
+    let letters = label.rsplit(is_digit_or_index).next();
+    Some((number, letters.unwrap_or_default()))
 }
 
 /// The number in a symbol, `2` of `x_2` and `ω₂`; a ratio of symbols has none.
 fn number(label: &str) -> Option<u32> {
-    let digit = |char: char| match char {
-        '₀'..='₉' => Some(u32::from(char) - u32::from('₀')),
-        char => char.to_digit(10),
-    };
     if label.contains('/') {
         return None;
     }
-    let digits: Vec<u32> = label.chars().filter_map(digit).collect();
+    let digits = label.chars().filter_map(|char| match char {
+        '₀'..='₉' => Some(u32::from(char) - u32::from('₀')),
+        char => char.to_digit(10),
+    });
+    let digits: Vec<u32> = digits.collect();
     let number = digits.iter().take(6).fold(0, |sum, digit| 10 * sum + digit);
     (!digits.is_empty()).then_some(number)
 }

@@ -4,6 +4,7 @@
 use std::borrow::Cow;
 
 use super::frame::groups;
+use super::signs::{is_between_digits, is_digit};
 use vibank_formula::unit::Unit;
 use vibank_source::Span;
 
@@ -57,20 +58,19 @@ fn angled(text: &str) -> Option<String> {
     if has_columns {
         return Some(format!("{}{}", &text[..start], by_columns(&text[start..])));
     }
-    let sign = |char: char| match char {
+    let signs = text[start..].chars().map(|char| match char {
         '<' => '[',
         '>' => ']',
         '|' => ',',
         char => char,
-    };
-    let plain: String = text[start..].chars().map(sign).collect();
-    Some(format!("{}{plain}", &text[..start]))
+    });
+    Some(text[..start].chars().chain(signs).collect())
 }
 
 /// `<<a,c>|<b,d>>` as `[ a,c ; b,d ]'`; all places stay.
 fn by_columns(text: &str) -> String {
     let mut depth = 0_usize;
-    let sign = |char: char| match char {
+    let signs = text.chars().map(|char| match char {
         '<' => {
             depth += 1;
             if depth == 1 { '[' } else { ' ' }
@@ -81,8 +81,8 @@ fn by_columns(text: &str) -> String {
         }
         '|' if depth == 1 => ';',
         char => char,
-    };
-    let mut plain: String = text.chars().map(sign).collect();
+    });
+    let mut plain: String = signs.collect();
     // The bracket takes the place where the last column ends, before the sign of transposition.
     if let Some(last) = plain.rfind('\'')
         && plain[..last].ends_with(' ')
@@ -235,24 +235,23 @@ fn rows_by_line(text: &str) -> String {
         !before && !after
     };
     let mut line_ends = text.match_indices('\n').map(|(at, _)| at);
-    let digit = |char: char| char.is_ascii_digit();
-    let is_decimal = |at: usize| text[..at].ends_with(digit) && text[at + 1..].starts_with(digit);
-    let has_decimals = text.match_indices(',').all(|(at, _)| is_decimal(at));
+    let mut commas = text.match_indices(',');
+    let has_decimals = commas.all(|(at, _)| is_between_digits(&text, at));
     let parts_entries = line_ends.any(&ends) && has_decimals && !text.contains(['&', '[', '(']);
-    let sign = |(at, char): (usize, char)| match char {
+    let signs = text.char_indices().map(|(at, char)| match char {
         '\n' if ends(at) => ';',
         '\n' => ' ',
         ';' if parts_entries => '&',
         char => char,
-    };
-    text.char_indices().map(sign).collect()
+    });
+    signs.collect()
 }
 
 /// Rows between bars, as programs draw them, in brackets, behind a symbol and an equals sign; nothing where not all lines
 /// are so.
 fn barred_rows(text: &str) -> Option<String> {
     let (label, text) = text.split_at(text.find('=').map_or(0, |label| label + 1));
-    let row = |line: &str| {
+    let rows = text.split('\n').map(|line| {
         let inner = line.trim().strip_prefix('|')?.strip_suffix('|')?;
         let start = line.len() - line.trim_start().len();
         // The rule below the head of a table of Markdown.
@@ -260,15 +259,11 @@ fn barred_rows(text: &str) -> Option<String> {
             return Some(" ".repeat(line.len()));
         }
         let inner = inner.replace('|', ",");
-        Some(format!(
-            "{}[{inner}]{}",
-            &line[..start],
-            &line[start + inner.len() + 2..]
-        ))
-    };
-    let rows: Option<Vec<String>> = text.split('\n').map(row).collect();
-    rows.filter(|rows| rows.len() > 1)
-        .map(|rows| label.to_owned() + &rows.join("\n"))
+        let (before, after) = (&line[..start], &line[start + inner.len() + 2..]);
+        Some(format!("{before}[{inner}]{after}"))
+    });
+    let rows: Vec<String> = rows.collect::<Option<_>>()?;
+    (rows.len() > 1).then(|| label.to_owned() + &rows.join("\n"))
 }
 
 /// The same list with `&` for each space that parts entries, as in `[1 -2; 0 3]`. A space parts two values, and a value
@@ -288,14 +283,11 @@ pub(crate) fn spaced(text: &str) -> String {
 
 /// Whether a sign stands at the number after a space, where commas may be decimal signs.
 pub(crate) fn has_signed_gap(text: &str) -> bool {
-    let digit = |char: char| char.is_ascii_digit();
-    let has_decimals = text
-        .match_indices(',')
-        .any(|(at, _)| text[..at].ends_with(digit) && text[at + 1..].starts_with(digit));
-    let is_signed = |(at, _): (usize, &str)| {
-        entries_around(text, at).is_some_and(|(before, next)| digit(before) && "+-".contains(next))
-    };
-    has_decimals && text.match_indices(' ').any(is_signed)
+    let mut commas = text.match_indices(',');
+    let spaces = text.match_indices(' ');
+    let mut gaps = spaces.filter_map(|(at, _)| entries_around(text, at));
+    commas.any(|(at, _)| is_between_digits(text, at))
+        && gaps.any(|(before, next)| is_digit(before) && "+-".contains(next))
 }
 
 /// The text with `&` for spaces between entries where it may stand, by the depth of brackets and the signs around.

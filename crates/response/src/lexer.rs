@@ -8,7 +8,7 @@ use super::determinant::determinant;
 use super::differential::{method, operator};
 use super::digits::fraction;
 use super::letters::{Letters, combining, dotted, greek, greek_word, name_of_command};
-use super::signs::MIDDLE_POINT;
+use super::signs::{MIDDLE_POINT, is_digit, is_of_name};
 use super::spellings::{may_be_small, with_other_case};
 use super::subscript::{subscript, subscripts};
 use super::surroundings::begins;
@@ -129,7 +129,7 @@ impl<'a> Lexer<'a> {
         }
         match char {
             '0'..='9' => return self.number(),
-            '.' if self.rest()[1..].starts_with(|next: char| next.is_ascii_digit()) => {
+            '.' if self.rest()[1..].starts_with(is_digit) => {
                 return self.number();
             }
             '\\' => return self.command(),
@@ -178,13 +178,13 @@ impl<'a> Lexer<'a> {
             return false;
         }
         let (text, at, is_complex) = (self.text, self.at, self.manner.has_imaginary_unit);
-        let terms = || conjugate_terms((text, at), &self.tokens, self.lexicon, is_complex);
-        let mark = || {
-            let length = conjugate_mark(&text[at..], &self.tokens).filter(|_| is_complex)?;
-            Some((Item::Conjugate, length))
-        };
-        let found = determinant(text, at, self.lexicon);
-        let Some((item, length)) = found.or_else(terms).or_else(mark) else {
+        let found = determinant(text, at, self.lexicon)
+            .or_else(|| conjugate_terms((text, at), &self.tokens, self.lexicon, is_complex))
+            .or_else(|| {
+                let length = conjugate_mark(&text[at..], &self.tokens).filter(|_| is_complex)?;
+                Some((Item::Conjugate, length))
+            });
+        let Some((item, length)) = found else {
             return false;
         };
         self.take(length, item);
@@ -209,11 +209,9 @@ impl<'a> Lexer<'a> {
 
     /// `np.` and `math.` before the names of functions; whether one stands here.
     fn module(&mut self) -> bool {
-        let is_word =
-            |length: usize| self.rest()[length..].starts_with(|next: char| next.is_alphabetic());
-        let found = MODULES
-            .iter()
-            .find(|module| begins(self.rest(), module) && is_word(module.len()));
+        let mut modules = MODULES.iter().filter(|module| begins(self.rest(), module));
+        let found =
+            modules.find(|module| self.rest()[module.len()..].starts_with(char::is_alphabetic));
         self.at += found.map_or(0, |module| module.len());
         // What programs call so is the natural one; alone, people mean the other as well.
         let is_program = || {
@@ -286,8 +284,8 @@ impl<'a> Lexer<'a> {
             return false;
         }
         let next = self.rest()[1..].chars().next();
-        let begins = |next: char| next.is_alphabetic() || next == '(';
-        let is_factor = !self.is_spaced && next.is_some_and(begins);
+        let is_factor =
+            !self.is_spaced && next.is_some_and(|next| next.is_alphabetic() || next == '(');
         let is_entrywise = next.is_some_and(|next| matches!(next, '*' | '/' | '^' | '²' | '³'));
         if is_factor {
             self.take(1, Item::Sign('*'));
@@ -435,12 +433,11 @@ impl<'a> Lexer<'a> {
     /// `j100`, as engineers write it; whether it stands here.
     fn imaginary_unit(&mut self) -> bool {
         let rest = self.rest();
-        let is_alone = |next: char| !(next.is_alphanumeric() || next == '_');
         let is_it = self.manner.has_imaginary_unit
             && (rest.starts_with(['i', 'j'])
-                && rest[1..].starts_with(|next: char| next.is_ascii_digit())
+                && rest[1..].starts_with(is_digit)
                 // As Mathematica has it.
-                || rest.starts_with('I') && rest[1..].chars().next().is_none_or(is_alone) && !self.lexicon.knows("I"));
+                                || rest.starts_with('I') && !rest[1..].starts_with(is_of_name) && !self.lexicon.knows("I"));
         if is_it {
             let kind = Kind::Constant(Constant::ImaginaryUnit);
             let span = Span::new(self.at, self.at + 1);
@@ -529,8 +526,8 @@ impl<'a> Lexer<'a> {
     /// Whether a run of letters that are not names is a unit: only after a number, and of one letter only the second.
     fn is_unit(&self, start: usize, end: usize) -> bool {
         let run = &self.text[start..end];
-        let is_number = |token: &Token| matches!(token.item, Item::Number(_));
-        let is_behind_number = self.tokens.last().is_some_and(is_number);
+        let last = self.tokens.last().map(|token| &token.item);
+        let is_behind_number = matches!(last, Some(Item::Number(_)));
         let is_word = run == "s" || run.len() > 1 && run.chars().all(char::is_alphabetic);
         is_behind_number && is_word && Unit::read(run).is_ok()
     }

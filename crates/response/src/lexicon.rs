@@ -4,6 +4,7 @@ use std::sync::{Arc, OnceLock};
 
 use super::letters::Letters;
 use super::near::{ends_with_function, nearest, typable};
+use super::signs::is_digit;
 use super::vocabulary::{Ending, WordPiece, Words};
 use super::{Manner, Trouble};
 use vibank_dynamics::numerics::SortedMap;
@@ -87,15 +88,15 @@ impl Lexicon {
 
     /// The name of this spelling that may not be used, by itself or as it is printed.
     pub(crate) fn forbidden(&self, spelling: &str) -> Option<&Name> {
-        let is_it = |name: &Name| {
+        let mut forbidden = self.entries.iter().filter_map(|entry| match entry {
+            LexiconEntry::Forbidden(name) => Some(name),
+            LexiconEntry::Allowed(..) => None,
+        });
+        forbidden.find(|name| {
             let printed = self.symbols.get(name).map(|own| own.plain());
             let spellings = [Some(name.as_str()), printed.as_deref()];
             let mut spellings = spellings.into_iter().flatten();
             spellings.any(|own| Letters::spelling(own).as_deref() == Some(spelling))
-        };
-        self.entries.iter().find_map(|entry| match entry {
-            LexiconEntry::Forbidden(name) => Some(name).filter(|name| is_it(name)),
-            LexiconEntry::Allowed(..) => None,
         })
     }
 
@@ -124,16 +125,16 @@ impl Lexicon {
         let second = text[1..].trim_start_matches([' ', '*']);
         let length = text.len() - second.len() + 1;
         let second = second.chars().next().filter(char::is_ascii_uppercase)?;
-        let ends = |next: char| !next.is_alphanumeric() && !"_'".contains(next);
-        let is_whole = text[length..].chars().next().is_none_or(ends);
+        let is_whole =
+            !text[length..].starts_with(|next: char| next.is_alphanumeric() || "_'".contains(next));
         let is_known = |letter: char| self.reads(letter.encode_utf8(&mut [0; 4])).is_some();
-        let is_it = |name: &Name| {
+        let mut allowed = self.entries.iter().filter_map(|entry| match entry {
+            LexiconEntry::Allowed(name, ..) => Some(name),
+            LexiconEntry::Forbidden(_) => None,
+        });
+        let name = allowed.find(|name| {
             let own = name.as_str().chars();
             own.clone().eq([first, second]) || own.eq([second, first])
-        };
-        let name = self.entries.iter().find_map(|entry| match entry {
-            LexiconEntry::Allowed(name, ..) => Some(name).filter(|name| is_it(name)),
-            LexiconEntry::Forbidden(_) => None,
         })?;
         (is_whole && !is_known(first) && !is_known(second)).then_some((name, length))
     }
@@ -224,7 +225,7 @@ impl Lexicon {
 
     /// Whether a run of letters ends with a function for which the number after it is the argument, `sin2θ`.
     pub(crate) fn ends_with_function(&self, run: &str, behind: &str) -> bool {
-        let digits = behind.trim_start_matches(|next: char| next.is_ascii_digit());
+        let digits = behind.trim_start_matches(is_digit);
         let number = &behind[..behind.len() - digits.len()];
         ends_with_function(run, number) && !self.knows(&format!("{run}{number}"))
     }

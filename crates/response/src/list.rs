@@ -6,6 +6,7 @@ use super::identity::identity_in;
 use super::labels::{by_indices, in_order, labelled};
 use super::layout::{has_signed_gap, laid_out, spaced};
 use super::parser::Parser;
+use super::signs::is_between_digits;
 use super::words::is_function;
 use super::{Lexicon, MAX_DEPTH, MAX_LENGTH, Manner, Trouble, Typed, TypedError, read};
 use vibank_formula::expr::Expr;
@@ -96,13 +97,12 @@ pub(crate) fn list_of_form(
         others.push(listed);
     }
     // `[[M1, 0], [0, M2]]` for m₁ and m₂, where the only trouble is a letter that is not known.
-    let is_unknown = |error: &TypedError| matches!(error.trouble, Trouble::Unknown { .. });
-    let are_unknown = || {
-        others
-            .iter()
-            .all(|listed| listed.as_ref().is_err_and(is_unknown))
-    };
-    if text.len() <= MAX_RESPELT && are_unknown() {
+    let mut troubles = others
+        .iter()
+        .map(|listed| listed.as_ref().err().map(|own| &own.trouble));
+    if text.len() <= MAX_RESPELT
+        && troubles.all(|trouble| matches!(trouble, Some(Trouble::Unknown { .. })))
+    {
         let manner = Manner::default().in_any_case();
         let listed = list(&plain, lexicon, manner, units, wanted);
         if let Ok(listed) = listed
@@ -201,11 +201,11 @@ impl Reader<'_> {
         {
             return self.sum(&terms, depth);
         }
-        let wrapped = || {
+        let list = self.list_in(piece, depth).or_else(|| {
             let groups = groups(self.text, piece);
             groups.first().copied().filter(|group| *group == piece)
-        };
-        let Some(list) = self.list_in(piece, depth).or_else(wrapped) else {
+        });
+        let Some(list) = list else {
             return match self.identity(piece) {
                 Some((identity, size)) => self.multiple_of_identity(piece, identity, size),
                 None => self.bare(piece, depth),
@@ -268,20 +268,21 @@ impl Reader<'_> {
         let pieces = cut_where(self.text, piece, |at, char| {
             let before = self.text[start..at].trim_end();
             // Another sign belongs to the number after it.
-            let ends = |last: char| last.is_alphanumeric() || ")]}".contains(last);
-            matches!(char, '+' | '-') && before.ends_with(ends)
+            matches!(char, '+' | '-')
+                && before.ends_with(|last: char| last.is_alphanumeric() || ")]}".contains(last))
         });
         if pieces.len() == 1 {
             return None;
         }
-        let with_sign = |piece: &Span| match piece.range().start {
+        let with_signs = pieces.iter().map(|piece| match piece.range().start {
             own if own == start => *piece,
             own => Span::new(own - 1, piece.range().end),
-        };
-        let terms: Vec<Span> = pieces.iter().map(with_sign).collect();
-        let is_list =
-            |term: &Span| self.list_in(*term, depth).is_some() || self.identity(*term).is_some();
-        terms.iter().all(is_list).then_some(terms)
+        });
+        let terms: Vec<Span> = with_signs.collect();
+        let mut lists = terms.iter();
+        lists
+            .all(|term| self.list_in(*term, depth).is_some() || self.identity(*term).is_some())
+            .then_some(terms)
     }
 
     /// The sum of lists of one size, entry by entry.
@@ -370,14 +371,12 @@ impl Reader<'_> {
             return self.placed(&rows);
         }
         in_order(self.text, &labels)?;
-        let is_boxed = |piece: &Span| {
-            let inner = self.text[piece.range()].trim();
-            inner.starts_with(['[', '{']) && inner.ends_with([']', '}'])
-        };
+        let mut texts = pieces.iter().map(|piece| self.text[piece.range()].trim());
         let has_rows = pieces
             .iter()
             .any(|piece| self.list_in(*piece, depth).is_some())
-            || pieces.len() > 1 && pieces.iter().all(is_boxed);
+            || pieces.len() > 1
+                && texts.all(|own| own.starts_with(['[', '{']) && own.ends_with([']', '}']));
         if let [one] = &pieces[..]
             && (has_rows || self.identity(*one).is_some())
         {
@@ -447,12 +446,12 @@ impl Reader<'_> {
         self.formula(place)
             .map(|entry| (entry, None))
             .or_else(|error| {
-                let value = |(value, unit): (&str, Unit)| {
-                    let start = place.range().start;
-                    let entry = self.formula(Span::new(start, start + value.len())).ok()?;
-                    Some((entry, unit))
-                };
-                match with_unit(&self.text[place.range()]).find_map(value) {
+                let start = place.range().start;
+                let entry = with_unit(&self.text[place.range()]).find_map(|(value, unit)| {
+                    let value = Span::new(start, start + value.len());
+                    Some((self.formula(value).ok()?, unit))
+                });
+                match entry {
                     Some((entry, unit)) if entry.names().free.is_empty() => Ok((entry, Some(unit))),
                     Some(_) => Err(TypedError {
                         trouble: Trouble::UnitOfEntry,
@@ -475,7 +474,7 @@ impl Reader<'_> {
 
     /// The first bracket in a piece that holds a list.
     fn list_in(&self, piece: Span, depth: u32) -> Option<Span> {
-        let is_list = |group: &Span| {
+        groups(self.text, piece).into_iter().find(|group| {
             let before = &self.text[..group.range().start];
             let word = before.trim_end_matches(|char: char| char.is_ascii_alphanumeric());
             let is_argument = before.ends_with(['_', '^']) || is_function(&before[word.len()..]);
@@ -484,18 +483,14 @@ impl Reader<'_> {
                 && depth < MAX_NESTED
                 && (self.pieces(inside, SEPARATORS).len() > 1
                     || self.list_in(inside, depth + 1).is_some())
-        };
-        groups(self.text, piece).into_iter().find(is_list)
+        })
     }
 
     /// The pieces between signs that stand in no bracket and are no decimal comma.
     fn pieces(&self, span: Span, signs: &[char]) -> Vec<Span> {
-        let digit = |char: char| char.is_ascii_digit();
         cut_where(self.text, span, |at, char| {
-            let is_decimal = char == ','
-                && self.manner.comma_is_decimal
-                && self.text[..at].ends_with(digit)
-                && self.text[at + 1..].starts_with(digit);
+            let is_decimal =
+                char == ',' && self.manner.comma_is_decimal && is_between_digits(self.text, at);
             signs.contains(&char) && !is_decimal
         })
     }
@@ -504,8 +499,8 @@ impl Reader<'_> {
 /// The unit of entries that all have the same one or none; zero needs none.
 fn common(entries: &[(Option<Unit>, bool, Span)]) -> Result<Option<Unit>, TypedError> {
     let unit = entries.iter().find_map(|(unit, ..)| *unit);
-    let is_other = |(own, is_zero, _): &&(Option<Unit>, bool, Span)| !is_zero && *own != unit;
-    match entries.iter().find(is_other) {
+    let mut entries = entries.iter();
+    match entries.find(|(own, is_zero, _)| !is_zero && *own != unit) {
         Some((.., place)) => Err(TypedError {
             trouble: Trouble::UnitOfEntry,
             span: *place,
@@ -525,16 +520,11 @@ fn transposed(rows: &[Vec<Expr>]) -> Vec<Vec<Expr>> {
 }
 
 fn diagonal(entries: &[Expr]) -> Vec<Vec<Expr>> {
-    let entry = |row: usize, column: usize| {
-        if row == column {
-            entries[row].clone()
-        } else {
-            Expr::number(0)
-        }
-    };
-    let places = 0..entries.len();
-    let row = |row: usize| places.clone().map(|column| entry(row, column)).collect();
-    places.clone().map(row).collect()
+    let mut rows = vec![vec![Expr::number(0); entries.len()]; entries.len()];
+    for (place, entry) in entries.iter().enumerate() {
+        rows[place][place] = entry.clone();
+    }
+    rows
 }
 
 pub(crate) fn trimmed(text: &str, span: Span) -> Span {

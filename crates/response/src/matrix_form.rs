@@ -18,11 +18,11 @@ pub(crate) fn equations_of(text: &str) -> Option<String> {
         .chain(&right)
         .any(|term| matches!(term, Term::Product { .. }));
     let rows = |terms: &[Term]| -> Option<Vec<String>> {
-        let row = |row: usize| {
+        let rows = (0..width).map(|row| {
             let all: Option<Vec<String>> = terms.iter().map(|term| term.row(row, width)).collect();
-            all.map(|all| all.join(" + "))
-        };
-        (0..width).map(row).collect()
+            Some(all?.join(" + "))
+        });
+        rows.collect()
     };
     let (left, right) = (rows(&left)?, rows(&right)?);
     let equations = left.iter().zip(&right);
@@ -80,12 +80,12 @@ impl Term {
 /// The terms of a side.
 fn terms(side: &str) -> Option<Vec<Term>> {
     let side = side.trim();
-    let is_sign = |before: &str, char: char| {
-        matches!(char, '+' | '-') && !before.trim_end().ends_with(['*', '/', '^', '+', '-'])
-    };
     let mut found = Vec::new();
     let mut start = 0;
-    for piece in cut(side, is_sign) {
+    let pieces = cut(side, |before, char| {
+        matches!(char, '+' | '-') && !before.trim_end().ends_with(['*', '/', '^', '+', '-'])
+    });
+    for piece in pieces {
         let sign = side[..start].chars().next_back();
         start += piece.len() + 1;
         if piece.trim().is_empty() && found.is_empty() {
@@ -182,20 +182,17 @@ fn rows(list: &str) -> Vec<Vec<String>> {
         });
     if is_nested {
         let pieces = cut(inner, |_, char| matches!(char, ',' | ';'));
-        let is_group = |piece: &&str| {
-            let piece = piece.trim();
-            piece.starts_with(['[', '{', '(']) && group(piece) == Some(piece.len())
-        };
-        if pieces.iter().all(is_group) {
-            let rows = pieces.iter().map(|piece| {
-                let piece = piece.trim();
-                row(&piece[1..piece.len() - 1])
-            });
-            return rows.collect();
+        let pieces = pieces.into_iter().map(str::trim);
+        let are_groups = pieces
+            .clone()
+            .all(|piece| piece.starts_with(['[', '{', '(']) && group(piece) == Some(piece.len()));
+        if are_groups {
+            return pieces
+                .map(|piece| row(&piece[1..piece.len() - 1]))
+                .collect();
         }
     }
-    let is_end = |_: &str, char: char| matches!(char, ';' | '\n');
-    let rows = cut(inner, is_end).into_iter();
+    let rows = cut(inner, |_, char| matches!(char, ';' | '\n')).into_iter();
     rows.filter(|piece| !piece.trim().is_empty())
         .map(row)
         .collect()

@@ -45,7 +45,7 @@ pub(crate) fn measured(
     };
     let tokens = tokens(text, 0, text.len(), lexicon, manner)?;
     let whole = Span::new(0, text.len());
-    let is_unit = |token: &Token| matches!(token.item, Item::Unit(_));
+    let mut items = tokens.iter().map(|token| &token.item);
     let missing = TypedError {
         trouble: Trouble::Value(ValueTrouble::Missing),
         span: whole,
@@ -55,7 +55,7 @@ pub(crate) fn measured(
     // After the whole it stands behind the time, too: `25.9 sin 8.49t cm`.
     let is_apart = is_bracketed || tokens.last().is_some_and(|last| last.is_spaced);
     let values = if is_apart { bare } else { &tokens };
-    if !tokens.iter().any(is_unit) || !are_after_values(values) {
+    if !items.any(|item| matches!(item, Item::Unit(_))) || !are_after_values(values) {
         return Err(missing);
     }
     let read = |tokens: &[Token]| {
@@ -125,16 +125,6 @@ fn last_unit(tokens: &[Token]) -> Option<(&[Token], Unit, bool)> {
 
 /// Whether each unit comes after a number, a bracket or another unit, or divides: letters elsewhere are names.
 fn are_after_values(tokens: &[Token]) -> bool {
-    let is_value = |item: &Item| {
-        matches!(
-            item,
-            Item::Number(_)
-                | Item::Power(_)
-                | Item::Unit(_)
-                | Item::Sign(')' | ']' | '}' | '/')
-                | Item::Word("in")
-        )
-    };
     tokens.iter().enumerate().all(|(at, token)| {
         let before = |count: usize| at.checked_sub(count).map(|at| &tokens[at].item);
         // `0.3 t m`, where nothing more belongs to the term.
@@ -147,7 +137,16 @@ fn are_after_values(tokens: &[Token]) -> bool {
             return true;
         }
         let is_factor = before(1) == Some(&Item::Sign('*'));
-        let value = before(if is_factor { 2 } else { 1 });
+        let is_behind_value = matches!(
+            before(if is_factor { 2 } else { 1 }),
+            Some(
+                Item::Number(_)
+                    | Item::Power(_)
+                    | Item::Unit(_)
+                    | Item::Sign(')' | ']' | '}' | '/')
+                    | Item::Word("in")
+            )
+        );
         // `H(t)` is a function of its own.
         let is_called = matches!(
             &tokens[at + 1..],
@@ -157,7 +156,7 @@ fn are_after_values(tokens: &[Token]) -> bool {
                     && matches!(argument.item, Item::Leaf(_))
                     && close.item == Item::Sign(')')
         );
-        !matches!(token.item, Item::Unit(_)) || value.is_some_and(is_value) && !is_called
+        !matches!(token.item, Item::Unit(_)) || is_behind_value && !is_called
     })
 }
 

@@ -3,6 +3,7 @@
 use super::label::without_unit;
 use super::list::cut;
 use super::{Folded, Passage};
+use crate::signs::is_of_name;
 use vibank_source::Span;
 
 /// Signs of a difference before a symbol.
@@ -104,9 +105,8 @@ pub(crate) fn behind_part_of_complex(name: &str) -> Option<&str> {
         "\\arg",
         "\\operatorname",
     ];
-    let is_word = |char: char| char.is_alphanumeric() || char == '_';
     let mut behind = MADE.iter().filter_map(|made| name.strip_prefix(made));
-    let behind = behind.find(|behind| !behind.starts_with(is_word))?;
+    let behind = behind.find(|behind| !behind.starts_with(is_of_name))?;
     Some(behind.trim_matches([' ', '(', ')', '[', ']']))
 }
 
@@ -114,6 +114,6 @@ pub(crate) fn behind_part_of_complex(name: &str) -> Option<&str> {
 pub(crate) fn is_symbol(text: &str) -> bool {
     // Symbols with their subscripts are shorter; a longer side is a formula.
     const MAX_LENGTH: usize = 30;
-    let is_part = |char: char| char.is_alphanumeric() || "_{}\\()'|, ".contains(char);
-    text.len() <= MAX_LENGTH && text.chars().all(is_part)
+    let mut chars = text.chars();
+    text.len() <= MAX_LENGTH && chars.all(|char| is_of_name(char) || "{}\\()'|, ".contains(char))
 }

@@ -1,5 +1,6 @@
 //! Words of a response that are next to those that are known: slips of names, functions with a number after them.
 
+use super::signs::is_digit;
 use super::words::{ALIASES, BARE};
 use vibank_formula::expr::Function;
 
@@ -18,15 +19,15 @@ pub(crate) fn nearest(allowed: &[String], word: &str) -> Option<String> {
     }
     // Nobody types `L1` for `m1`: of a letter with an index the letter is no slip.
     let letter = |name: &str| {
-        let stem = name.trim_end_matches(|last: char| last.is_ascii_digit());
+        let stem = name.trim_end_matches(is_digit);
         let is_indexed = stem.len() < name.len() && stem.chars().nth(1).is_none();
         is_indexed.then(|| vibank_source::lower(stem))
     };
-    let is_other = |name: &str| {
+    let longer = allowed().filter(|name| name.chars().nth(1).is_some());
+    let longer = longer.filter(|name| {
         let pair = letter(word).zip(letter(name));
-        pair.is_some_and(|(own, other)| own != other)
-    };
-    let longer = allowed().filter(|name| name.chars().nth(1).is_some() && !is_other(name));
+        pair.is_none_or(|(own, other)| own == other)
+    });
     let is_word = word.chars().nth(1).is_some();
     let found = is_word
         .then(|| vibank_source::nearest(word, longer))
@@ -36,22 +37,20 @@ pub(crate) fn nearest(allowed: &[String], word: &str) -> Option<String> {
 
 /// Whether a run of letters ends with a function for which a number after it is the argument, `sin2θ`.
 pub(crate) fn ends_with_function(run: &str, number: &str) -> bool {
-    let is_called = |function: &str| {
-        run.strip_suffix(function).is_some_and(|_| {
-            let whole = format!("{function}{number}");
-            Function::of_name(&whole).is_none() && ALIASES.iter().all(|(alias, _)| *alias != whole)
-        })
-    };
     let bare = BARE.iter().map(|function| function.name());
     let aliases = ALIASES.iter().filter(|(_, own)| BARE.contains(own));
-    bare.chain(aliases.map(|(alias, _)| *alias)).any(is_called)
+    let names = bare.chain(aliases.map(|(alias, _)| *alias));
+    names.filter(|name| run.ends_with(name)).any(|function| {
+        let whole = format!("{function}{number}");
+        Function::of_name(&whole).is_none() && ALIASES.iter().all(|(alias, _)| *alias != whole)
+    })
 }
 
 /// A symbol as it is typed: `k2` for k₂.
 pub(crate) fn typable(symbol: &str) -> String {
-    let digit = |char: char| match char {
+    let chars = symbol.chars().map(|char| match char {
         '₀'..='₉' => char::from(b'0' + (u32::from(char) - u32::from('₀')) as u8),
         char => char,
-    };
-    symbol.chars().map(digit).collect()
+    });
+    chars.collect()
 }

@@ -4,7 +4,7 @@ use super::before_unit::gathered;
 use super::digits::Comma;
 use super::letters::Letters;
 use super::lexer::Lexer;
-use super::signs::DECIMAL;
+use super::signs::{DECIMAL, is_digit, is_of_name};
 use super::token::{Item, Literal};
 use super::words::JOINING;
 use super::{Trouble, TypedError, ValueTrouble};
@@ -19,7 +19,7 @@ const MAX_UNIT_LENGTH: usize = 200;
 
 /// A text that begins with a number, with a point for the sign in it that is a decimal sign and nothing else.
 fn with_certain_sign(text: &str) -> Option<String> {
-    let behind = text.trim_start_matches(|char: char| char.is_ascii_digit());
+    let behind = text.trim_start_matches(is_digit);
     let decimals = behind.strip_prefix(DECIMAL)?;
     let whole = &text[..text.len() - behind.len()];
     Some(format!("{whole}.{decimals}"))
@@ -67,17 +67,17 @@ impl Lexer<'_> {
             }
             '0'..='9' => self.decimal(mark)?,
             '.' | ',' => {
-                let is_digit = self.rest()[1..].starts_with(|next: char| next.is_ascii_digit());
+                let goes_on = self.rest()[1..].starts_with(is_digit);
                 let is_first = match self.tokens.last().map(|token| &token.item) {
                     None => true,
                     Some(Item::Sign(sign)) => !matches!(sign, ')' | ']' | '}'),
                     Some(_) => char == '.' && self.is_spaced,
                 };
-                if char == ',' && !(is_digit && is_first && self.has_decimal_comma()) {
+                if char == ',' && !(goes_on && is_first && self.has_decimal_comma()) {
                     self.comma();
                     return Ok(true);
                 }
-                if !(is_digit && is_first) {
+                if !(goes_on && is_first) {
                     return Ok(false);
                 }
                 self.decimal(mark)?;
@@ -88,10 +88,7 @@ impl Lexer<'_> {
                     return Ok(false);
                 }
             }
-            'I' if self.manner.has_imaginary_unit
-                && !self.rest()[1..]
-                    .starts_with(|next: char| next.is_alphanumeric() || next == '_') =>
-            {
+            'I' if self.manner.has_imaginary_unit && !self.rest()[1..].starts_with(is_of_name) => {
                 let span = Span::new(self.at, self.at + 1);
                 let unit = Kind::Constant(Constant::ImaginaryUnit);
                 self.take(1, Item::Leaf(Expr::new(unit, span)));
@@ -128,16 +125,14 @@ impl Lexer<'_> {
         // A text whose units are used up is not read in the end.
         let _ = work::spend(rest.len() as u64);
         let line = rest.find('\n').unwrap_or(rest.len());
-        let joins = |(space, _): (usize, &str)| {
-            let behind = &rest[space + 1..];
-            let is_it = |word: &&str| {
-                let next = behind.strip_prefix(*word);
-                next.is_some_and(|next| next.starts_with(' '))
-            };
-            JOINING.iter().any(is_it).then_some(space + 1)
-        };
-        let word = rest.match_indices(' ').find_map(joins);
-        let end = word.unwrap_or(line).min(line);
+        let mut words = rest.match_indices(' ').map(|(space, _)| space + 1);
+        let joining = words.find(|at| {
+            let mut behind = JOINING
+                .iter()
+                .filter_map(|word| rest[*at..].strip_prefix(word));
+            behind.any(|behind| behind.starts_with(' '))
+        });
+        let end = joining.unwrap_or(line).min(line);
         let text = &rest[..self.name_in(&rest[..end]).unwrap_or(end)];
         // In `5 ∠ 53 deg ohm` the angle has its unit, and the whole has its own after that.
         match text.split_once(' ') {
@@ -151,13 +146,11 @@ impl Lexer<'_> {
         if self.lexicon.is_empty() {
             return None;
         }
-        let is_of_word = |char: char| char.is_alphanumeric() || char == '_';
-        let begins = |at: usize| !text[..at].ends_with(is_of_word);
         let mut places = text.char_indices().map(|(at, _)| at).skip(1);
         places.find(|at| {
             let rest = &text[*at..];
-            let end = || rest.find(|char| !is_of_word(char)).unwrap_or(rest.len());
-            begins(*at) && self.lexicon.reads(&rest[..end()]).is_some()
+            let end = || rest.len() - rest.trim_start_matches(is_of_name).len();
+            !text[..*at].ends_with(is_of_name) && self.lexicon.reads(&rest[..end()]).is_some()
         })
     }
 
@@ -177,8 +170,8 @@ impl Lexer<'_> {
         let mut before = self.tokens.iter().rev();
         let is_number = before.next().is_some_and(|token| token.literal.is_some());
         let mut signs = before.skip_while(|token| matches!(token.item, Item::Sign('-' | '+')));
-        let is_angle = |item: &Item| matches!(item, Item::Sign('∠') | Item::Word("at" | "cis"));
-        is_number && signs.next().is_some_and(|token| is_angle(&token.item))
+        let sign = signs.next().map(|token| &token.item);
+        is_number && matches!(sign, Some(Item::Sign('∠') | Item::Word("at" | "cis")))
     }
 
     /// A sign of degrees; a rate of them if a slash follows.
@@ -203,18 +196,15 @@ impl Lexer<'_> {
         // Nobody multiplies by nothing: `0.5 x0` is of x_0.
         let decimals = factor.strip_prefix('0');
         let is_nothing = decimals.is_some_and(|rest| !rest.starts_with(['.', ',', DECIMAL]));
-        is_behind && !is_nothing && factor.starts_with(|next: char| next.is_ascii_digit())
+        is_behind && !is_nothing && factor.starts_with(is_digit)
     }
 
     /// A word that joins; whether one stands here.
     fn joining_word(&mut self) -> bool {
         const WORDS: [&str; 6] = ["and", "or", "at", "cis", "in", "not"];
         let rest = self.rest();
-        let is_end = |next: char| !next.is_alphanumeric() && next != '_';
-        let found = WORDS.into_iter().find(|word| {
-            let behind = rest.strip_prefix(word);
-            behind.is_some_and(|behind| behind.starts_with(is_end))
-        });
+        let mut words = WORDS.into_iter().filter(|word| rest.starts_with(word));
+        let found = words.find(|word| rest[word.len()..].starts_with(|next| !is_of_name(next)));
         if let Some(word) = found {
             self.take(word.len(), Item::Word(word));
         }

@@ -8,6 +8,7 @@ use super::measured::{self, Measured};
 use super::naming;
 use super::pieces::{self, FunctionPiece};
 use super::reworded::{self, Reworded};
+use super::signs::{is_digit, is_of_name};
 use super::stated::Stated;
 use super::words::{CONCLUDING, REMARKS};
 use super::{
@@ -382,9 +383,8 @@ impl<'t> Passage<'t> {
 
     /// The letters of a formula, each with its index: runs of what names are written with.
     pub fn letters(self) -> Vec<Self> {
-        let is_of_name = |char: char| char.is_alphanumeric() || "_\\".contains(char);
-        let runs = self.0.split(|char| !is_of_name(char));
-        let runs = runs.map(|run| run.trim_start_matches(|first: char| first.is_ascii_digit()));
+        let runs = self.0.split(|char| !is_of_name(char) && char != '\\');
+        let runs = runs.map(|run| run.trim_start_matches(is_digit));
         runs.filter(|run| !run.is_empty()).map(Self::of).collect()
     }
 
@@ -402,12 +402,9 @@ impl<'t> Passage<'t> {
 
     /// What is concluded last in it, `mg = μmg, so 1`.
     pub fn concluded(self) -> Option<Self> {
-        let behind = |word: &&str| {
-            let word = format!(" {word} ");
-            self.0.rfind(&word).map(|at| at + word.len())
-        };
-        let start = CONCLUDING.iter().filter_map(behind).max()?;
-        Some(Self::of(&self.0[start..]))
+        let words = CONCLUDING.iter().map(|word| format!(" {word} "));
+        let ends = words.filter_map(|word| Some(self.0.rfind(&word)? + word.len()));
+        Some(Self::of(&self.0[ends.max()?..]))
     }
 
     /// Whether it is the name of a logarithm, whose argument many write without brackets.
@@ -457,8 +454,8 @@ impl<'t> Passage<'t> {
 
     /// Whether it is a formula of letters, whatever they stand for, `2πf`.
     pub fn is_of_free_letters(self) -> bool {
-        let reads = |lexicon: &Lexicon| self.formula(lexicon, Manner::REAL).is_ok();
-        self.free_letters().is_some_and(|own| reads(&own))
+        self.free_letters()
+            .is_some_and(|own| self.formula(&own, Manner::REAL).is_ok())
     }
 
     /// The letters of a formula as names; nothing where its letters are words, or where it has no sign of a formula.

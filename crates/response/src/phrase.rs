@@ -111,8 +111,8 @@ impl Phrase {
         vibank_dynamics::numerics::sort_by(&mut letters, Ord::cmp);
         let are_letters = letters.iter().all(u8::is_ascii_lowercase)
             && letters.windows(2).all(|pair| pair[0] != pair[1]);
-        let each = || self.plain.split_inclusive(|_: char| true).map(Self::of);
-        are_letters.then(|| each().collect())
+        let each = self.plain.split_inclusive(|_: char| true).map(Self::of);
+        are_letters.then(|| each.collect())
     }
 
     /// The letters that dashes or slashes part, `c-b-a`, `c/b/a`.
@@ -190,15 +190,15 @@ impl Phrase {
 
     /// Whether they compare symbols, `ζ > 1`, with no word beside them.
     pub fn compare(&self) -> bool {
-        let is_word = |word: &str| {
-            word.chars().filter(|char| char.is_alphabetic()).count() >= MIN_LETTERS
-                && greek_word(word.trim_start_matches('\\')).is_none()
-                && !word.contains('_')
-        };
         let mut words = self
             .plain
             .split(|char: char| char.is_whitespace() || "=<>≤≥".contains(char));
-        self.relate() && !words.any(is_word)
+        self.relate()
+            && words.all(|word| {
+                word.chars().filter(|char| char.is_alphabetic()).count() < MIN_LETTERS
+                    || greek_word(word.trim_start_matches('\\')).is_some()
+                    || word.contains('_')
+            })
     }
 
     /// Whether a sign of comparison stands in them.

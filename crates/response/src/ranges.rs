@@ -21,6 +21,7 @@ use self::marks::{CALLS, INTERSECTION, Mark, Marked, marks};
 use self::said::{condition_said, in_words, without_said_ends};
 use super::answering::without_condition;
 use super::list::{cut, cut_where, trimmed};
+use super::signs::is_between_digits;
 use super::words::ENDS;
 use super::{MAX_LENGTH, Passage, Wording};
 use vibank_formula::unit::DecimalMark;
@@ -185,7 +186,8 @@ impl<'t> Ranges<'t> {
             let conditions = pieces.into_iter().map(|piece| reader.condition(piece));
             return conditions.collect::<Read<'t, _>>().map(Self::SideBySide);
         }
-        let group = |span: Span| {
+        let groups = reader.parted(all, |mark| mark == Mark::Or).into_iter();
+        let groups = groups.map(|span| {
             let conditions = reader.parted(span, |mark| mark == Mark::And).into_iter();
             let typed = &text[span.range()];
             Ok(Group {
@@ -195,9 +197,8 @@ impl<'t> Ranges<'t> {
                     .map(|span| reader.condition(span))
                     .collect::<Read<'t, _>>()?,
             })
-        };
-        let groups = reader.parted(all, |mark| mark == Mark::Or).into_iter();
-        groups.map(group).collect::<Read<'t, _>>().map(Self::Union)
+        });
+        groups.collect::<Read<'t, _>>().map(Self::Union)
     }
 }
 
@@ -237,26 +238,19 @@ impl<'t> Reader<'t> {
 
     /// Inequalities that commas or semicolons part, and nothing joins.
     fn side_by_side(&self, all: Span) -> Option<Vec<Span>> {
-        let is_digit = |char: char| char.is_ascii_digit();
         let mut pieces = cut_where(self.text, all, |at, char| {
-            let is_decimal =
-                || self.text[..at].ends_with(is_digit) && self.text[at + 1..].starts_with(is_digit);
-            matches!(char, ';' | '\n') || char == ',' && !is_decimal()
+            matches!(char, ';' | '\n') || char == ',' && !is_between_digits(self.text, at)
         });
         for piece in &mut pieces {
-            let text = &self.text[piece.range()];
-            let begins = |word: &str| text.trim_start().strip_prefix(word);
-            if let Some(behind) = ["so ", "hence ", "thus ", "= "]
-                .iter()
-                .find_map(|word| begins(word))
-            {
+            let text = self.text[piece.range()].trim_start();
+            let mut words = ["so ", "hence ", "thus ", "= "].into_iter();
+            if let Some(behind) = words.find_map(|word| text.strip_prefix(word)) {
                 *piece = Span::new(piece.range().end - behind.len(), piece.range().end);
             }
         }
         // `μ_min = 0.2, μ ≥ 0.2` says the bound before.
-        let is_named = |piece: &Span| self.text[piece.range()].contains('=');
         if pieces.len() > 1 && pieces.iter().any(|piece| self.relates(*piece)) {
-            pieces.retain(|piece| self.relates(*piece) || !is_named(piece));
+            pieces.retain(|own| self.relates(*own) || !self.text[own.range()].contains('='));
         }
         let is_all = pieces.len() == 1 && pieces[0] != all;
         let mut marks = self.marks.iter();
@@ -275,11 +269,11 @@ impl<'t> Reader<'t> {
             units.extend(Some(self.side(behind)).filter(|unit| !unit.is_empty()));
             span = inner;
         }
-        let sign = |own: &Marked| match own.mark {
+        let signs = self.within(span).filter_map(|own| match own.mark {
             Mark::Sign(sign) => Some(sign),
             _ => None,
-        };
-        let signs: Vec<Bounding> = self.within(span).filter_map(sign).collect();
+        });
+        let signs: Vec<Bounding> = signs.collect();
         let said = if signs.is_empty() {
             self.interval(span, &mut units)?
         } else {
@@ -321,18 +315,15 @@ impl<'t> Reader<'t> {
         if let Some(called) = self.called(span) {
             return called;
         }
-        let opens = |own: &&Marked| matches!(own.mark, Mark::Bracket('[' | '(' | ']'));
-        let open = self.within(span).find(opens);
+        let mut marks = self.within(span);
+        let open = marks.find(|own| matches!(own.mark, Mark::Bracket('[' | '(' | ']')));
         let Some(open) = open else {
             return self
                 .value(span)
                 .ok_or(RangeError::NoCondition(self.side(span.range())));
         };
-        let closes = |own: &&Marked| matches!(own.mark, Mark::Bracket(']' | ')' | '['));
-        let last = self.within(span).filter(closes).last();
-        let close = last
-            .filter(|last| last.at.start > open.at.start)
-            .ok_or(RangeError::Bracket)?;
+        let closing = marks.filter(|own| matches!(own.mark, Mark::Bracket(']' | ')' | '[')));
+        let close = closing.last().ok_or(RangeError::Bracket)?;
         let unit = self.side(close.at.end..end);
         units.extend(Some(unit).filter(|unit| !unit.is_empty()));
         Ok(Said::Interval {
@@ -364,9 +355,8 @@ impl<'t> Reader<'t> {
             .within(lead)
             .filter(|own| own.mark == Mark::Element)
             .last();
-        let is_last = |own: &&Marked| self.side(own.at.end..lead.range().end).is_empty();
         let end = element
-            .filter(is_last)
+            .filter(|own| self.side(own.at.end..lead.range().end).is_empty())
             .map_or(lead.range().end, |own| own.at.start);
         let typed = self.side(lead.range());
         let own = self.text[lead.range().start..end].trim_end();

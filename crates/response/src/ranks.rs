@@ -2,6 +2,7 @@
 //! `5 m (in phase), 6 m (opposed)`.
 
 use super::list::{cut, cut_where};
+use super::signs::{is_between_digits, is_digit};
 use super::words::RANKS;
 use vibank_source::{Span, lower};
 
@@ -9,20 +10,15 @@ use vibank_source::{Span, lower};
 /// a rank of its own.
 pub(crate) fn in_order(text: &str, count: usize) -> Option<String> {
     let all = Span::new(0, text.len());
-    let is_digit = |char: char| char.is_ascii_digit();
     let by_signs = cut(text, all, &[';', '\n']);
     let pieces = if by_signs.len() == count {
         by_signs
     } else {
-        cut_where(text, all, |at, char| {
-            let is_decimal =
-                || text[..at].ends_with(is_digit) && text[at + 1..].starts_with(is_digit);
-            match char {
-                ';' | '\n' => true,
-                ',' => !is_decimal(),
-                ' ' => text[at..].starts_with(" and "),
-                _ => false,
-            }
+        cut_where(text, all, |at, char| match char {
+            ';' | '\n' => true,
+            ',' => !is_between_digits(text, at),
+            ' ' => text[at..].starts_with(" and "),
+            _ => false,
         })
     };
     if pieces.len() != count || count < 2 {
@@ -52,8 +48,6 @@ fn ranked(piece: &str, count: usize) -> Option<(usize, &str)> {
         let (_, rank) = RANKS.iter().find(|(own, _)| *own == words)?;
         Some(rank.map_or(count, usize::from))
     };
-    let is_value = |value: &&str| value.contains(|char: char| char.is_ascii_digit());
-    let of = |words: &str, value: &'_ str| Some((rank(words)?, value.trim().len()));
     let behind = [" (", " → ", " -> ", ": ", ", "].iter().find_map(|sign| {
         let (value, words) = piece.rsplit_once(sign)?;
         let words = if *sign == " (" {
@@ -61,8 +55,7 @@ fn ranked(piece: &str, count: usize) -> Option<(usize, &str)> {
         } else {
             words
         };
-        let (rank, length) = of(words, value)?;
-        Some((rank, &value.trim()[..length]))
+        Some((rank(words)?, value.trim()))
     });
     let before = || {
         let number = piece
@@ -74,14 +67,14 @@ fn ranked(piece: &str, count: usize) -> Option<(usize, &str)> {
             let words = words.trim_end();
             let bare = words.trim_end_matches([':', '=']);
             // `1 8.98` has two numbers.
-            let is_said =
-                bare.len() < words.len() || !bare.ends_with(|char: char| char.is_ascii_digit());
+            let is_said = bare.len() < words.len() || !bare.ends_with(is_digit);
             Some((rank(bare)?, value.trim())).filter(|_| is_said)
         });
         // `first mode: 5 m`
         said.next_back()
     };
-    behind.or_else(before).filter(|(_, value)| is_value(value))
+    let found = behind.or_else(before);
+    found.filter(|(_, value)| value.contains(is_digit))
 }
 
 #[cfg(test)]

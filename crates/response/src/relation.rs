@@ -3,6 +3,7 @@
 use std::ops::Range;
 
 use super::letters::{Letters, letter};
+use super::signs::{is_between_digits, is_digit, is_of_name};
 use vibank_dynamics::numerics::sort_by_key;
 use vibank_source::capital;
 
@@ -179,15 +180,12 @@ impl Names {
                     let (index, length) = index_of(&behind[stem.len()..])?;
                     Some((at + stem.len() + length, index))
                 });
-            let own = || {
-                let mut own = self.own.iter();
-                let (spelling, index) = own.find(|(own, _)| behind.starts_with(own.as_str()))?;
-                Some((at + spelling.len(), *index))
-            };
-            let is_whole = |(end, _): &(usize, usize)| {
-                !text[*end..].starts_with(|next: char| next.is_alphanumeric() || next == '_')
-            };
-            let found = indexed.filter(is_whole).or_else(|| own().filter(is_whole));
+            let mut own = self.own.iter().map(|(own, index)| (own.as_str(), index));
+            let is_whole = |(end, _): &(usize, usize)| !text[*end..].starts_with(is_of_name);
+            let found = indexed.filter(is_whole).or_else(|| {
+                let (spelling, index) = own.find(|(own, _)| behind.starts_with(own))?;
+                Some((at + spelling.len(), *index)).filter(is_whole)
+            });
             found.map(|(end, index)| (at..end, index))
         })
     }
@@ -235,25 +233,24 @@ fn index_of(text: &str) -> Option<(usize, usize)> {
 /// A ratio of components, `1 : -0.5`, as a list; all places stay.
 pub(crate) fn ratio_as_list(typed: &str) -> String {
     let typed = &typed.replace(" to ", " : ");
-    let digit = |char: char| char.is_ascii_digit();
     let mut commas = typed.match_indices(',').map(|(at, _)| at);
-    let has_decimals =
-        commas.all(|at| typed[..at].ends_with(digit) && typed[at + 1..].starts_with(digit));
-    let is_label =
-        |(at, _): (usize, &str)| typed[at + 1..].trim_start().starts_with(['(', '[', '{']);
+    let has_decimals = commas.all(|at| is_between_digits(typed, at));
+    let mut values = typed.split(':').skip(1).map(str::trim_start);
     // `1 : -1 : 0; 1 : 1 : -2` are several.
     let ratios: Vec<&str> = typed.split(';').map(str::trim).collect();
-    let is_ratio = |ratio: &&str| {
-        let is_of_numbers = |char: char| char.is_ascii_digit() || ".+-/: ".contains(char);
-        ratio.contains(':') && ratio.chars().all(is_of_numbers)
-    };
-    if ratios.len() > 1 && ratios.iter().all(is_ratio) {
+    let are_ratios = ratios.len() > 1
+        && ratios.iter().all(|ratio| {
+            let mut chars = ratio.chars();
+            ratio.contains(':') && chars.all(|char| is_digit(char) || ".+-/: ".contains(char))
+        });
+    if are_ratios {
         let vectors = ratios
             .iter()
             .map(|ratio| format!("({})", ratio.replace(':', ", ")));
         return vectors.collect::<Vec<_>>().join(", ");
     }
-    if has_decimals && !typed.contains(';') && !typed.match_indices(':').any(is_label) {
+    let is_label = |value: &str| value.starts_with(['(', '[', '{']);
+    if has_decimals && !typed.contains(';') && !values.any(is_label) {
         return typed.replace(':', ";");
     }
     typed.to_owned()
@@ -291,9 +288,7 @@ pub(crate) fn without_common_letter(typed: &str) -> Option<String> {
         .all(|entry| entry.contains(char::is_alphabetic) || is_zero(entry));
     let entries = plain.split([',', ';']);
     // `(1 m, -4 m)` has units.
-    let is_bare = |entry: &str| {
-        entry.contains(char::is_alphabetic) && !entry.contains(|char: char| char.is_ascii_digit())
-    };
+    let is_bare = |entry: &str| entry.contains(char::is_alphabetic) && !entry.contains(is_digit);
     let is_whole = is_whole && list.split([',', ';']).any(is_bare);
     (common.is_some() && is_whole && are_multiples && entries.clone().all(is_entry))
         .then(|| format!("{}{plain}", &typed[..start]))

@@ -133,12 +133,10 @@ impl Senses {
 
     /// Whether the things of the question are named in another order: `the force lags the displacement`.
     fn swaps(&self, clause: &Phrase) -> bool {
-        let place = |word: &String| {
-            let place = self.asked.words().iter().position(|own| own == word);
-            place.filter(|_| self.things.has_word(word))
-        };
         let own = clause.wording();
-        let places: Vec<usize> = own.words().iter().filter_map(place).collect();
+        let things = own.words().iter().filter(|word| self.things.has_word(word));
+        let places =
+            things.filter_map(|word| self.asked.words().iter().position(|own| own == word));
         !places.is_sorted()
     }
 
@@ -150,12 +148,11 @@ impl Senses {
     /// Whether a clause has words of an option, or is all symbols.
     pub fn touches(&self, clause: &Phrase) -> bool {
         let words = self.words(clause);
-        let is_said = |word: &String| self.knows_of(word) && !self.things.has_word(word);
         let are_symbols = words.iter().all(|word| is_symbol(word));
         let own = Wording::of_words(words);
-        let mut options = self.options.iter();
+        let (mut words, mut options) = (own.words().iter(), self.options.iter());
         are_symbols
-            || own.words().iter().any(is_said)
+            || words.any(|word| self.knows_of(word) && !self.things.has_word(word))
             || options.any(|other| other.says_clause(&own, &own))
     }
 
@@ -170,12 +167,12 @@ impl Senses {
     /// The only option that means all that is said; with a letter, that of the letter.
     pub fn chosen(&self, said: &[Wording], letter: Option<usize>) -> Option<usize> {
         let knows = |clause: &&Wording| clause.words().iter().any(|word| self.knows_of(word));
-        let has_word = |clause: &&Wording| !clause.words().iter().all(|word| is_symbol(word));
         let known: Vec<&Wording> = said.iter().filter(knows).collect();
+        let mut words = known.iter().flat_map(|clause| clause.words());
         // Symbols that no option has may stand beside words, other values of theirs may not.
         let mut idle = said.iter().filter(|clause| !knows(clause));
         let are_names = idle.all(|clause| clause.words().iter().all(|word| is_name(word)));
-        let are_idle = known.len() == said.len() || known.iter().any(has_word);
+        let are_idle = known.len() == said.len() || words.any(|word| !is_symbol(word));
         if known.is_empty() || !are_idle || !are_names {
             return None;
         }
@@ -197,15 +194,15 @@ impl Senses {
     /// The options that clauses may mean, or where `is_loose` those that have their words but for what is asked about,
     /// `elastic coupling`.
     fn meaning(&self, clauses: &[&Wording], is_loose: bool) -> Vec<usize> {
-        let means = |place: &usize| {
+        let meant = (0..self.options.len()).filter(|place| {
             clauses.iter().all(|clause| {
                 let is_loose = is_loose && !self.turns(clause.words());
                 let option = &self.options[*place];
                 let mut all = option.all();
                 all.any(|own| self.stands_in(clause, own, option, is_loose))
             })
-        };
-        (0..self.options.len()).filter(means).collect()
+        });
+        meant.collect()
     }
 
     /// Whether a word says which way something goes.
@@ -224,44 +221,39 @@ impl Senses {
             let is_asked = self.asked.has_word(word) && options.any(|own| own.is_word(word));
             is_open || is_asked || is_thing(word) || self.stresses.has_word(word)
         };
-        let is_there = |word: &String| own.has_word(word) || is_loose && is_idle(word);
-        let tells = |word: &String| own.has_word(word) && !is_thing(word);
         let mut words = clause.words().iter();
-        words.clone().all(is_there)
+        let mut shared = words.clone().filter(|word| own.has_word(word));
+        words.all(|word| own.has_word(word) || is_loose && is_idle(word))
             && clause.denies() == own.denies()
-            && (words.any(tells) || option.says_clause(own, clause))
+            && (shared.any(|word| !is_thing(word)) || option.says_clause(own, clause))
     }
 
     /// Whether each clause of an option is said.
     fn is_whole(&self, place: usize, said: &[&Wording]) -> bool {
         let own = &self.options[place];
-        let is_said = |clause: &Wording| {
+        own.clauses.iter().all(|clause| {
             let mut words = clause.words().iter();
             words.any(|word| {
                 !self.things.has_word(word) && said.iter().any(|said| said.has_word(word))
             })
-        };
-        own.clauses.iter().all(is_said)
+        })
     }
 
     /// Whether what is not said of an option changes it: a denial, a symbol of a list, or what other options say, too.
     fn leaves_out(&self, place: usize, said: &[&Wording]) -> bool {
         let own = &self.options[place];
-        let is_said = |statement: &&Wording| {
+        let mut left = own.statements.iter().filter(|statement| {
             let mut said = said.iter();
-            said.any(|clause| self.stands_in(clause, statement, own, true))
-        };
-        let tells = |statement: &Wording| {
-            let says = |other: &&Sense| {
+            !said.any(|clause| self.stands_in(clause, statement, own, true))
+        });
+        let is_shared = |statement: &Wording| {
+            let saying = self.options.iter().filter(|other| {
                 let mut clauses = other.clauses.iter();
                 clauses.any(|clause| clause.is_part_of(statement) || statement.is_part_of(clause))
-            };
-            let count = self.options.iter().filter(says).count();
-            1 < count && count < self.options.len()
+            });
+            (2..self.options.len()).contains(&saying.count())
         };
-        let mut left = own.statements.iter().filter(|own| !is_said(own));
-        let is_joint = |statement: &Wording| statement.denies() || statement.has_word(OR);
-        own.is_in_symbols() || left.any(|statement| is_joint(statement) || tells(statement))
+        own.is_in_symbols() || left.any(|own| own.denies() || own.has_word(OR) || is_shared(own))
     }
 
     /// Whether a word stands in an option.

@@ -5,7 +5,7 @@ use super::differential::{is_quotient, leibniz};
 use super::letters::{greek_word, is_dotted};
 use super::lexer::tokens;
 use super::list::trimmed;
-use super::signs::is_apostrophe;
+use super::signs::{is_apostrophe, is_of_word};
 use super::token::{Item, Token};
 use super::words::OTHER_VALUES;
 use super::{Lexicon, Manner, Trouble, TypedError};
@@ -48,11 +48,12 @@ pub(crate) fn sides(text: &str, lexicon: &Lexicon) -> Result<Vec<Span>, TypedErr
 fn label(text: &str, lexicon: &Lexicon) -> Option<usize> {
     let at = text.find(':')?;
     let (before, behind) = (&text[..at], &text[at + 1..]);
-    let is_colon = !behind.starts_with('=') && !before.contains(['=', '≈']);
+    if behind.starts_with('=') || before.contains(['=', '≈']) {
+        return None;
+    }
     let is_name = !before.ends_with(' ') && behind.starts_with(' ');
-    let is_label = |symbol| symbol == Symbol::Asked || is_name;
-    let is_symbol = is_colon && symbol(before.trim(), lexicon).is_some_and(is_label);
-    is_symbol.then_some(at + 1)
+    let symbol = symbol(before.trim(), lexicon)?;
+    (symbol == Symbol::Asked || is_name).then_some(at + 1)
 }
 
 /// What comes after words that describe what is asked, `the natural frequency ω`, `the amplitude`; nothing where there
@@ -68,24 +69,22 @@ pub(crate) fn described(text: &str) -> Option<&str> {
     const MIN_LETTERS_ALONE: usize = 6;
     let (mut rest, mut count, mut longest) = (text.trim(), 0, 0);
     while let Some(word) = rest.split_whitespace().next() {
-        let is_of_word = |char: char| {
-            char.is_alphabetic() && !is_dotted(char) || char == '-' || is_apostrophe(char)
-        };
         let lower = lower(word);
         // `three times the period`; after a number it only counts.
         if OTHER_VALUES.contains(&lower.as_str()) || lower == "times" {
             return None;
         }
         // `tany`, `xdot`, `thetadot`, `omegan`
-        let begins = |function: Function| {
-            let behind = lower.strip_prefix(function.name());
-            behind.is_some_and(|behind| behind.len() < 3)
-        };
-        let is_symbol =
-            lower.ends_with("dot") || greek_prefix(&lower) || Function::all().any(begins);
+        let functions = Function::all().filter(|own| lower.starts_with(own.name()));
+        let is_symbol = lower.ends_with("dot")
+            || greek_prefix(&lower)
+            || functions
+                .map(Function::name)
+                .any(|name| lower.len() < name.len() + 3);
         let length = word.chars().count();
         let is_due = length >= MIN_LETTERS || SMALL.contains(&lower.as_str());
-        if !word.chars().all(is_of_word) || word.ends_with(is_apostrophe) || is_symbol || !is_due {
+        let is_word = !word.contains(|char| !is_of_word(char) || is_dotted(char));
+        if !is_word || word.ends_with(is_apostrophe) || is_symbol || !is_due {
             break;
         }
         (count, longest) = (count + 1, length.max(longest));
@@ -119,17 +118,16 @@ pub(crate) fn equal_sides(text: &str) -> Vec<Span> {
 /// The statements of a text without the symbol before two other sides of each, `m x'' = -k x` of `ΣF = m x'' = -k x`; none
 /// where no statement has such a symbol.
 pub(crate) fn without_names(text: &str) -> Option<String> {
-    let bare = |piece: &'_ str| {
+    let bare = text.split_inclusive([',', ';', '\n']).map(|piece| {
         let (name, rest) = piece.split_once('=').unwrap_or((piece, ""));
         let is_name = is_word(name.trim().trim_start_matches('∑'));
-        let start = if is_name && rest.contains('=') {
-            piece.len() - rest.len()
+        if is_name && rest.contains('=') {
+            rest
         } else {
-            0
-        };
-        piece[start..].to_owned()
-    };
-    let plain: String = text.split_inclusive([',', ';', '\n']).map(bare).collect();
+            piece
+        }
+    });
+    let plain: String = bare.collect();
     (plain != text).then_some(plain)
 }
 
@@ -179,8 +177,8 @@ fn symbol(text: &str, lexicon: &Lexicon) -> Option<Symbol> {
     if leibniz(text, 0).is_some_and(|(.., end)| end == text.len()) || is_quotient(text) {
         return Some(Symbol::Asked);
     }
-    let is_marked = |mark: &str| text.strip_suffix(mark).is_some_and(is_word);
-    if MARKS.iter().any(|mark| is_marked(mark)) {
+    let mut bare = MARKS.iter().filter_map(|mark| text.strip_suffix(mark));
+    if bare.any(is_word) {
         return Some(Symbol::Asked);
     }
     if !is_word(text) || begins_with_function(text) {
@@ -245,9 +243,8 @@ pub(crate) fn is_word(text: &str) -> bool {
 
 /// `sqrt(k)`, and `tanθ` where θ is no name of the question.
 pub(crate) fn begins_with_function(text: &str) -> bool {
-    let is_begun = |function: Function| {
+    Function::all().any(|function| {
         let name = function.name();
         name.len() > 2 && function.arity().1 == 1 && text.starts_with(name)
-    };
-    Function::all().any(is_begun)
+    })
 }

@@ -108,6 +108,31 @@ pub(crate) fn is_times(char: char) -> bool {
     char == '*' || of_char(char) == Some(Text("*"))
 }
 
+/// Whether a character is a digit, `0` to `9`.
+pub(crate) fn is_digit(char: char) -> bool {
+    char.is_ascii_digit()
+}
+
+/// Whether a sign of one byte stands between two digits, as a decimal sign does.
+pub(crate) fn is_between_digits(text: &str, at: usize) -> bool {
+    text[..at].ends_with(is_digit) && text[at + 1..].starts_with(is_digit)
+}
+
+/// Whether a character is a digit or one of an index, `x₁`.
+pub(crate) fn is_digit_or_index(char: char) -> bool {
+    is_digit(char) || ('₀'..='₉').contains(&char)
+}
+
+/// Whether a character may stand in a name: a letter, a digit or `_`.
+pub(crate) fn is_of_name(char: char) -> bool {
+    char.is_alphanumeric() || char == '_'
+}
+
+/// Whether a character may stand in a word: a letter, a hyphen or an apostrophe.
+pub(crate) fn is_of_word(char: char) -> bool {
+    char.is_alphabetic() || char == '-' || is_apostrophe(char)
+}
+
 /// Whether a sign is one of those that stand for an apostrophe, as within `Newton's`.
 pub(crate) fn is_apostrophe(char: char) -> bool {
     char == '\'' || of_char(char) == Some(Text("'"))

@@ -2,6 +2,7 @@
 //! its dots as words.
 
 use super::letters::{Letters, combining, dotted, greek_word};
+use super::signs::is_digit;
 use vibank_formula::expr::Name;
 use vibank_notation::{Math, symbol};
 
@@ -94,8 +95,7 @@ pub(crate) fn in_other_case(spelling: &str) -> Option<String> {
     let first = chars.next().unwrap_or_default();
     let (stem, _) = stem_and_index(spelling);
     let is_greek = greek_word(stem).is_some() && !OTHERS.contains(&stem);
-    let is_one_letter = || chars.as_str().bytes().all(|byte| byte.is_ascii_digit());
-    if !is_greek && (OWN_SENSE.contains(&first) || !is_one_letter()) {
+    if !is_greek && (OWN_SENSE.contains(&first) || !chars.all(is_digit)) {
         return None;
     }
     with_other_case(spelling)
@@ -116,17 +116,15 @@ pub(crate) fn with_other_case(text: &str) -> Option<String> {
 /// Whether the letter at a place may be a small one that was typed as a capital: telephones begin with a capital, and some
 /// type in capitals throughout.
 pub(crate) fn may_be_small(text: &str, at: usize) -> bool {
-    let is_first = || !text[..at].contains(char::is_alphabetic);
-    let is_shouted = || {
-        let capitals = text.bytes().filter(u8::is_ascii_uppercase);
-        capitals.count() > 1 && !text.contains(|char: char| char.is_ascii_lowercase())
-    };
-    text[at..].starts_with(char::is_uppercase) && (is_first() || is_shouted())
+    let capitals = text.bytes().filter(u8::is_ascii_uppercase);
+    text[at..].starts_with(char::is_uppercase)
+        && (!text[..at].contains(char::is_alphabetic)
+            || capitals.count() > 1 && !text.contains(|char: char| char.is_ascii_lowercase()))
 }
 
 /// A spelling without the digits at its end, and these.
 fn stem_and_index(spelling: &str) -> (&str, &str) {
-    let stem = spelling.trim_end_matches(|last: char| last.is_ascii_digit());
+    let stem = spelling.trim_end_matches(is_digit);
     spelling.split_at(stem.len())
 }
 

@@ -8,7 +8,7 @@ use super::sides::{begins_with_function, is_word, last_side};
 use super::signs::is_apostrophe;
 use super::statements::{label, moved, statements};
 use super::{Lexicon, Manner, Passage, Trouble, Typed, TypedError, formula_at, sides};
-use vibank_formula::expr::{Expr, Name};
+use vibank_formula::expr::Expr;
 use vibank_source::Span;
 
 /// The statements of a response: the one that answers, and the others.
@@ -65,23 +65,21 @@ impl<'t> Stated<'t> {
             [] if label(&first).is_none() => first,
             [] => {
                 // A letter that no other statement makes use of.
-                let is_used = |own: &Span| {
+                let mut unused = all.iter().filter(|own| {
                     let word = label(own).map_or("", |label| &text[label.range()]);
-                    let mut others = all.iter().filter(|other| *other != own);
-                    !is_letter(word) || others.any(|other| text[other.range()].contains(word))
-                };
-                let mut unused = all.iter().filter(|own| !is_used(own));
+                    let mut others = all.iter().filter(|other| other != own);
+                    is_letter(word) && !others.any(|other| text[other.range()].contains(word))
+                });
                 // `V(x) = …; V(0) = …`
                 let bare = |own: &Span| {
                     let label = label(own)?;
                     Some(without_arguments(&text[label.range()]))
                 };
-                let is_one = || all.iter().all(|own| bare(own) == bare(&first));
                 // `k x = m g, x = m g/k`
                 let mut named = all.iter().filter(|own| bare(own).is_some_and(is_letter));
                 match (unused.next(), unused.next()) {
                     (Some(main), None) => *main,
-                    _ if is_one() => last,
+                    _ if all.iter().all(|own| bare(own) == bare(&first)) => last,
                     _ if named.next() == Some(&last) && named.next().is_none() => last,
                     _ => {
                         let range = last.range();
@@ -184,9 +182,9 @@ impl<'t> Stated<'t> {
         manner: Manner,
     ) -> Result<Vec<Typed<Expr>>, TypedError> {
         let sides = sides::equal_sides(&self.text[self.main.range()]).into_iter();
-        let place = |side: Span| moved(side, self.main.range().start);
-        sides
-            .map(|side| self.side(place(side), lexicon, manner))
+        let places = sides.map(|side| moved(side, self.main.range().start));
+        places
+            .map(|side| self.side(side, lexicon, manner))
             .collect()
     }
 
@@ -200,9 +198,10 @@ impl<'t> Stated<'t> {
         })?;
         let mut sides: Vec<Span> = sides.into_iter().map(|side| moved(side, start)).collect();
         // `dE/dt = m x' x'' + k x x' = 0` says of the rate that it is zero as well.
-        let is_zero = |side: &Span| self.text[side.range()].trim() == "0";
-        let is_of_rate = || self.label().is_some_and(|label| is_rate(label.text()));
-        if sides.len() > 1 && sides.last().is_some_and(is_zero) && is_of_rate() {
+        if let [_, .., last] = sides[..]
+            && self.text[last.range()].trim() == "0"
+            && self.label().is_some_and(|label| is_rate(label.text()))
+        {
             sides.pop();
         }
         Ok(sides)
@@ -248,7 +247,6 @@ impl<'t> Stated<'t> {
         let own = self
             .label()
             .and_then(|label| letter(label.text(), lexicon, false));
-        let is_of_answer = |name: &Name| own.as_ref().is_some_and(|own| own.name == *name);
         let said = self
             .others
             .iter()
@@ -257,7 +255,10 @@ impl<'t> Stated<'t> {
             Said::Letter(definition) => Some(definition),
             Said::Equation | Said::Nothing => None,
         });
-        found.filter(|own| !is_of_answer(&own.name)).collect()
+        let own = own.map(|own| own.name);
+        found
+            .filter(|said| own.as_ref() != Some(&said.name))
+            .collect()
     }
 }
 
@@ -279,14 +280,13 @@ fn without_values_elsewhere<'t>(
         .filter(|label| !is_at_value(label))
         .map(without_arguments)
         .collect();
-    let is_elsewhere = |own: &Span| {
-        label(own).is_some_and(|label| {
-            let bare = without_arguments(label);
-            let is_asked_there = || answers(Passage::of(label)) && !answers(Passage::of(bare));
-            is_at_value(label) && functions.contains(&bare) && !is_asked_there()
-        })
-    };
-    statements.retain(|own| !is_elsewhere(own));
+    statements.retain(|own| {
+        let label = label(own).unwrap_or_default();
+        let bare = without_arguments(label);
+        !is_at_value(label)
+            || !functions.contains(&bare)
+            || answers(Passage::of(label)) && !answers(Passage::of(bare))
+    });
     statements
 }
 

@@ -2,6 +2,7 @@
 
 use super::list::{cut_where, trimmed};
 use super::sides::is_word;
+use super::signs::is_between_digits;
 use super::words::STATEMENTS;
 use vibank_source::Span;
 
@@ -35,15 +36,11 @@ pub(crate) fn statements_by(text: &str, joint_at: impl Fn(&str) -> Option<usize>
         Some((before, inner)) => (before, Some(inner)),
         None => (text.len(), None),
     };
-    let is_decimal = |at: usize| {
-        text[..at].ends_with(|last: char| last.is_ascii_digit())
-            && text[at + 1..].starts_with(|next: char| next.is_ascii_digit())
-    };
     let first = text.split(['=', '≈']).next().unwrap_or(text).trim();
     let is_end = |at: usize, char: char| match char {
         ';' | '\n' => true,
         '/' => is_before_sibling(text, at, first),
-        ',' => !is_decimal(at),
+        ',' => !is_between_digits(text, at),
         ' ' => joint_at(&text[at + 1..]).is_some(),
         ':' => joint_at(&text[at..]).is_some(),
         char => RELATIONS.contains(&char),
@@ -106,18 +103,16 @@ fn is_before_sibling(text: &str, at: usize, first: &str) -> bool {
 
 /// The length of the word with which a text begins and that joins statements.
 pub(crate) fn word_at(text: &str) -> Option<usize> {
-    let is_it = |word: &&&str| {
-        let behind = text.strip_prefix(**word);
-        behind.is_some_and(|behind| behind.starts_with([' ', ',', ':']))
-    };
-    STATEMENTS.iter().find(is_it).map(|word| word.len())
+    let mut words = STATEMENTS.iter().filter(|word| text.starts_with(**word));
+    let found = words.find(|word| text[word.len()..].starts_with([' ', ',', ':']));
+    found.map(|word| word.len())
 }
 
 /// The statements in brackets after a response, `(with ω = …)`, and where what stands before them ends.
 fn bracketed(text: &str) -> Option<(usize, Span)> {
     let inner = text.strip_suffix(')')?;
     let mut depth = 0_usize;
-    let opens = |(_, char): &(usize, char)| match char {
+    let (open, _) = inner.char_indices().rev().find(|(_, char)| match char {
         ')' => {
             depth += 1;
             false
@@ -128,8 +123,7 @@ fn bracketed(text: &str) -> Option<(usize, Span)> {
             false
         }
         _ => false,
-    };
-    let (open, _) = inner.char_indices().rev().find(opens)?;
+    })?;
     let is_apart = inner[..open].ends_with(' ') && inner[open..].contains('=');
     is_apart.then(|| (open, Span::new(open + 1, inner.len())))
 }

@@ -70,15 +70,13 @@ pub fn withdrawn(typed: &str, may_be_words: bool) -> Option<&str> {
     if may_be_words || is_alone {
         return None;
     }
-    let is_mark = |char: char| "().,!:;".contains(char);
-    let withdraws = |word: &str| {
-        let word = word.trim_matches(is_mark);
-        WITHDRAWALS.iter().any(|own| is_lower(word, own))
-    };
     let first = typed.split_whitespace().next();
     let last = typed.split_whitespace().next_back();
     let mut ends = [first, last].into_iter().flatten();
-    ends.find(|word| withdraws(word))
+    ends.find(|word| {
+        let word = word.trim_matches(['(', ')', '.', ',', '!', ':', ';']);
+        WITHDRAWALS.iter().any(|own| is_lower(word, own))
+    })
 }
 
 fn trimmed(typed: &str, range: &Range<usize>) -> Range<usize> {
@@ -145,8 +143,8 @@ fn begin_alike(text: &str, word: &str) -> bool {
 fn split_at_last<'t>(text: &'t str, words: &str) -> Option<(&'t str, &'t str)> {
     let (text_bytes, own) = (text.as_bytes(), words.as_bytes());
     let last = text.len().checked_sub(words.len())?;
-    let is_here = |at: &usize| text_bytes[*at] == own[0] && text_bytes[*at..].starts_with(own);
-    let at = (0..=last).rev().find(is_here)?;
+    let mut places = (0..=last).rev();
+    let at = places.find(|at| text_bytes[*at] == own[0] && text_bytes[*at..].starts_with(own))?;
     Some((&text[..at], &text[at + words.len()..]))
 }
 

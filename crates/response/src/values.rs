@@ -17,6 +17,7 @@ use std::sync::LazyLock;
 
 use super::both_signs::Two;
 use super::lexer::tokens;
+use super::signs::is_digit;
 use super::token::{Item, Token};
 use super::{Lexicon, Manner, Passage, Reworded, Trouble, TypedError};
 use vibank_dynamics::numerics::Rational;
@@ -148,7 +149,6 @@ impl<'t> Values<'t> {
     /// before it.
     pub fn has_decimal_comma(&self, part: &Part) -> bool {
         let text = self.text(part);
-        let is_digit = |char: char| char.is_ascii_digit();
         text.match_indices(',').any(|(at, _)| {
             let before = &text[..at];
             let figures = before.len() - before.trim_end_matches(is_digit).len();
@@ -167,8 +167,8 @@ impl<'t> Values<'t> {
             Some(&self.text[token.span.range()]).filter(|sign| matches!(*sign, "," | ";"))
         };
         // `5, ; 8.7` has one value behind the other, parted twice.
-        let is_same = |before: &str| sign(part.end) == Some(before);
-        part.is_empty() && part.start > 0 && sign(part.start - 1).is_some_and(is_same)
+        let before = part.start.checked_sub(1).and_then(sign);
+        part.is_empty() && before.is_some() && sign(part.end) == before
     }
 
     /// The values of a part between semicolons, commas, `and` and `or`; empty ones are kept.
@@ -204,8 +204,8 @@ impl<'t> Values<'t> {
         let mut sides = self.cut(part, |item| matches!(item, Item::Sign('=' | ':')));
         sides.retain(|side| !side.is_empty());
         // Only a name may stand before a colon.
-        let is_name = |first: &Part| self.is_name(&self.unit_beside_name(first).0);
-        if self.has(part, ':') && !sides.first().is_some_and(is_name) {
+        let mut first = sides.first().into_iter();
+        if self.has(part, ':') && !first.any(|own| self.is_name(&self.unit_beside_name(own).0)) {
             unequal = Some(':');
         }
         if sides.is_empty() {
@@ -216,9 +216,9 @@ impl<'t> Values<'t> {
 
     /// A named value before the only sign of comparison, that sign, and what it is compared with: `ζ = 0.285 < 1`.
     pub fn compared(&self, part: &Part) -> Option<(Part, char, Part)> {
-        let is_sign =
-            |item: &Item| matches!(item, Item::Sign('<' | '>' | '≤' | '≥' | '≠' | '±' | ':'));
-        let pieces = self.cut(part, is_sign);
+        let pieces = self.cut(part, |item| {
+            matches!(item, Item::Sign('<' | '>' | '≤' | '≥' | '≠' | '±' | ':'))
+        });
         let [value, other] = &pieces[..] else {
             return None;
         };
@@ -228,8 +228,8 @@ impl<'t> Values<'t> {
             return None;
         };
         // `3 N > 0` says the sign again, `0.16 < 1` that a ratio is small.
-        let is_mark = |token: &Token| matches!(token.item, Item::Number(own) if own.is_zero() || own == Rational::ONE);
-        let is_remark = matches!(&self.tokens[other.clone()], [token] if is_mark(token));
+        let is_remark = other.len() == 1
+            && matches!(self.tokens[other.start].item, Item::Number(own) if own.is_zero() || own == Rational::ONE);
         let is_stated = (self.has(value, '=') || is_remark) && !self.has(other, '=');
         is_stated.then(|| (value.clone(), *sign, other.clone()))
     }
@@ -290,25 +290,19 @@ impl<'t> Values<'t> {
             }
             depth == 0
         })?;
-        let is_value = |token: &Token| match &token.item {
+        let before = open.checked_sub(1).filter(|at| part.contains(at))?;
+        let is_value = match &self.tokens[before].item {
             Item::Leaf(leaf) => matches!(leaf.kind(), Kind::Constant(_)),
             item => matches!(item, Item::Number(_) | Item::Unit(_)),
         };
-        let before = open
-            .checked_sub(1)
-            .filter(|at| part.contains(at) && is_value(&self.tokens[*at]))?;
         let last = part.end.checked_sub(1).filter(|last| *last > open)?;
-        Some((part.start..before + 1, open + 1..last))
+        is_value.then_some((part.start..before + 1, open + 1..last))
     }
 
     /// Whether another part is the unit once more in which a value ends, `s (second)`.
     pub fn is_unit_again(&self, value: &Part, other: &Part) -> bool {
-        let unit = |item: Option<&Item>| match item {
-            Some(Item::Unit(unit)) => Some(**unit),
-            _ => None,
-        };
-        match (unit(self.items(value).next_back()), self.unit(other)) {
-            (Some(own), Some(other)) => {
+        match (self.items(value).next_back(), self.unit(other)) {
+            (Some(Item::Unit(own)), Some(other)) => {
                 own.dimension() == other.dimension()
                     && own.to_si(1.0) == other.to_si(1.0)
                     && own.angles() == other.angles()
@@ -375,13 +369,12 @@ impl<'t> Values<'t> {
     /// The numbers, perhaps with their units, that slashes between spaces part, `5 / 8.7 rad/s`.
     pub fn slashed(&self, part: &Part) -> Option<Vec<Part>> {
         let pieces = self.cut(part, |item| *item == Item::Sign('/'));
-        let is_apart = |piece: &Part| {
+        let are_apart = pieces[1..].iter().all(|piece| {
             let around = self.tokens.get(piece.start - 1..=piece.start);
             around.is_some_and(|around| around.iter().all(|token| token.is_spaced))
-        };
-        let are_apart = pieces[1..].iter().all(is_apart);
-        let are_values = || pieces.iter().all(|piece| self.literal(piece).is_some());
-        (pieces.len() > 1 && are_apart && are_values()).then_some(pieces)
+        });
+        let mut values = pieces.iter().map(|piece| self.literal(piece));
+        (pieces.len() > 1 && are_apart && values.all(|own| own.is_some())).then_some(pieces)
     }
 
     /// Numbers with their units or after names, parted by spaces alone: `5 rad/s 8.7 rad/s`, `a = 5 b = 8.7`.
@@ -390,31 +383,28 @@ impl<'t> Values<'t> {
             let behind = self.tokens.get(at + 1).filter(|_| at + 1 < part.end);
             behind.is_some_and(|token| matches!(token.item, Item::Sign('=' | ':')))
         };
-        let begins = |at: usize| {
-            let before = &self.tokens[at - 1];
-            let token = &self.tokens[at];
+        let later = (part.start + 1..part.end).filter(|at| {
+            let [before, token] = [&self.tokens[at - 1], &self.tokens[*at]];
             let is_behind_unit = matches!(before.item, Item::Unit(_));
             let begins = token.literal.is_some() && is_behind_unit
-                || is_named(at) && (is_behind_unit || before.literal.is_some());
+                || is_named(*at) && (is_behind_unit || before.literal.is_some());
             begins && token.is_spaced
-        };
-        let starts: Vec<usize> = std::iter::once(part.start)
-            .chain((part.start + 1..part.end).filter(|at| begins(*at)))
-            .collect();
+        });
+        let starts: Vec<usize> = std::iter::once(part.start).chain(later).collect();
         let ends = starts[1..].iter().copied().chain([part.end]);
         let parts: Vec<Part> = starts
             .iter()
             .zip(ends)
             .map(|(start, end)| *start..end)
             .collect();
-        let has_unit = |own: &Part| self.items(own).any(|item| matches!(item, Item::Unit(_)));
-        let is_number = |own: &Part| {
-            self.tokens
-                .get(own.start)
-                .is_some_and(|own| own.literal.is_some())
-        };
-        let is_amount = |own: &Part| is_number(own) && has_unit(own) || is_named(own.start);
-        (parts.len() > 1 && parts.iter().all(is_amount)).then_some(parts)
+        let are_amounts = parts.len() > 1
+            && parts.iter().all(|own| {
+                let first = self.tokens.get(own.start);
+                first.is_some_and(|first| first.literal.is_some())
+                    && self.items(own).any(|item| matches!(item, Item::Unit(_)))
+                    || is_named(own.start)
+            });
+        are_amounts.then_some(parts)
     }
 
     /// A part with the upper and with the lower one of its signs `±`, and whether such is its first sign.

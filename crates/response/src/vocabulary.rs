@@ -92,13 +92,13 @@ impl Words {
         let mut words = Self::common();
         let decay_rate = decay_rate(entries);
         // What can be said in the letters of the part may be said by its own letter.
-        let is_said = |name: &Name| decay_rate.is_some() && DECAY_RATES.contains(&name.as_str());
         for entry in entries {
             match entry {
                 LexiconEntry::Allowed(name, symbol, is_moving) => {
                     words.allow(name, symbol, *is_moving);
                 }
-                LexiconEntry::Forbidden(name) if is_said(name) => {}
+                LexiconEntry::Forbidden(name)
+                    if decay_rate.is_some() && DECAY_RATES.contains(&name.as_str()) => {}
                 LexiconEntry::Forbidden(name) => words.forbid(name),
             }
         }
@@ -142,8 +142,8 @@ impl Words {
     /// The names in the other case, where the item has no such name.
     fn add_other_case(&mut self, entries: &[LexiconEntry]) {
         // `ω` for Ω is no natural frequency only where the item has none.
-        let names = || entries.iter().map(|entry| entry.name().as_str());
-        let has_natural = names().any(|name| name.starts_with("omega"));
+        let mut names = entries.iter().map(|entry| entry.name().as_str());
+        let has_natural = names.any(|name| name.starts_with("omega"));
         for entry in entries {
             let LexiconEntry::Allowed(name, symbol, is_moving) = entry else {
                 continue;
@@ -189,24 +189,18 @@ impl Words {
         for name in INFINITY {
             words.add(name, infinity.clone());
         }
-        let is_scalar = |function: &Function| {
-            !matches!(
-                function,
-                Function::Transpose | Function::Det | Function::Dot | Function::Norm
-            )
-        };
-        for function in Function::all().filter(is_scalar) {
-            words.add_function(function.name(), function);
-        }
+        use Function::{Det, Dot, Norm, Transpose};
+        let scalar = Function::all().filter(|own| !matches!(own, Transpose | Det | Dot | Norm));
+        scalar.for_each(|function| words.add_function(function.name(), function));
         for (name, function) in ALIASES {
             words.add_function(name, *function);
         }
         // `Asin(2t)` is an amplitude before a sine.
-        let is_capital = |name: &&str| name.len() > 2 && !name.starts_with('a');
         for function in BARE {
-            let Some(name) = Some(function.name()).filter(is_capital) else {
+            let name = function.name();
+            if name.len() <= 2 || name.starts_with('a') {
                 continue;
-            };
+            }
             let upper = name.to_ascii_uppercase();
             let capital = format!("{}{}", &upper[..1], &name[1..]);
             words.add_function(&upper, *function);
@@ -303,10 +297,7 @@ impl Words {
 
     /// The name and the order of the rate that a word alone stands for.
     pub(crate) fn rate(&self, spelling: &str) -> Option<(&Name, u8)> {
-        let own = |word: &&Word| word.spelling == spelling && word.ending == Ending::NONE;
-        let WordSense::Leaf(leaf) = &self.words.iter().find(own)?.sense else {
-            return None;
-        };
+        let leaf = self.leaf(spelling, Ending::NONE)?;
         let Kind::Prime(inner, order) = leaf.kind() else {
             return None;
         };
@@ -318,9 +309,14 @@ impl Words {
 
     /// The name that is spelled with this ending.
     pub(crate) fn ended(&self, spelling: &str, ending: Ending) -> Option<Expr> {
-        let own = |word: &&Word| word.spelling == spelling && word.ending == ending;
-        match &self.words.iter().find(own)?.sense {
-            WordSense::Leaf(leaf) => Some(leaf.clone()),
+        self.leaf(spelling, ending).cloned()
+    }
+
+    fn leaf(&self, spelling: &str, ending: Ending) -> Option<&Expr> {
+        let mut words = self.words.iter();
+        let own = words.find(|word| word.spelling == spelling && word.ending == ending)?;
+        match &own.sense {
+            WordSense::Leaf(leaf) => Some(leaf),
             _ => None,
         }
     }
@@ -462,12 +458,12 @@ impl Words {
 
     /// `L` for ℓ and `L1` for ℓ₁, where no name of the item has that letter.
     fn add_lengths(&mut self) {
-        let is_length = |word: &Word| {
+        let lengths = self.words.iter().filter_map(|word| {
             let is_own = word.ending == Ending::NONE && matches!(word.sense, WordSense::Leaf(_));
             let word_for_it = length(&word.spelling).filter(|_| is_own)?;
             Some((word_for_it, word.sense.clone()))
-        };
-        let lengths: Vec<(String, WordSense)> = self.words.iter().filter_map(is_length).collect();
+        });
+        let lengths: Vec<(String, WordSense)> = lengths.collect();
         for (spelling, sense) in lengths {
             if !self.knows("L") {
                 self.offer(&spelling, &sense);

@@ -2,6 +2,7 @@
 
 use super::counts;
 use super::letters::{greek_word, letter, lowered};
+use super::signs::is_digit;
 use super::words::{FILLERS, OTHER_VALUES, PREFIXES, RUNS_OF_WORDS, STRESSES, SUFFIXES, SYNONYMS};
 use vibank_notation::greek_name;
 use vibank_source::lower;
@@ -137,7 +138,7 @@ impl Wording {
         if !says(after) || !says(before) {
             return None;
         }
-        let has_digit = rest.contains(|char: char| char.is_ascii_digit());
+        let has_digit = rest.contains(is_digit);
         (rest.len() < value.len() && has_digit).then_some(rest)
     }
 

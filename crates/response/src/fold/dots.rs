@@ -2,6 +2,7 @@
 
 use super::Folder;
 use super::alphabets::unstyled;
+use crate::signs::is_of_name;
 
 impl Folder<'_> {
     /// Dots of derivatives that stand apart from their letter; whether some do here.
@@ -52,7 +53,6 @@ impl Folder<'_> {
             _ => return None,
         };
         let name: String = rest[1..close].trim().chars().map(unstyled).collect();
-        let is_of_name = |char: char| char.is_alphanumeric() || char == '_';
         let is_name = name.starts_with(char::is_alphabetic) && name.chars().all(is_of_name);
         let length = rest.len() - sign.len() + sign.chars().next().map_or(0, char::len_utf8);
         is_name.then_some((name, dots, length))
@@ -73,10 +73,10 @@ impl Folder<'_> {
         if !rest.starts_with('.') {
             return None;
         }
-        let is_of_name = |char: char| char.is_alphanumeric() || "_}".contains(char);
         let before = &self.typed[..self.at];
-        let name = &before[before.trim_end_matches(is_of_name).len()..];
-        if !name.starts_with(|first: char| first.is_alphabetic()) {
+        let parts = |char: char| !char.is_alphanumeric() && !"_}".contains(char);
+        let name = before.rsplit(parts).next().unwrap_or_default();
+        if !name.starts_with(char::is_alphabetic) {
             return None;
         }
         let next = |length: usize| rest[length..].chars().next().unwrap_or(' ');

@@ -68,13 +68,13 @@ impl Folder<'_> {
         if !may_open || inner.starts_with([' ', '*', '_', '`', '\n']) {
             return false;
         }
-        let closes = |(at, _): &(usize, &str)| {
+        let mut closing = inner.match_indices(mark).filter(|(at, _)| {
             let behind = inner[at + mark.len()..].chars().next();
             let is_apart =
                 behind.is_none_or(|next| next.is_whitespace() || ".,;:!?)".contains(next));
             is_apart && *at > 0 && !inner[..*at].ends_with([' ', '*', '_'])
-        };
-        let Some((close, _)) = inner.match_indices(mark).find(closes) else {
+        });
+        let Some((close, _)) = closing.next() else {
             // None of those behind it closes anything either.
             self.is_unmarked = true;
             return false;

@@ -1,7 +1,7 @@
 //! Angles in degrees, minutes and seconds.
 
 use super::Folder;
-use crate::signs::ANGLES;
+use crate::signs::{ANGLES, is_digit};
 
 impl Folder<'_> {
     /// `53°7'48"`, degrees with their minutes and seconds, as a sum; whether they stand here.
@@ -17,7 +17,7 @@ impl Folder<'_> {
             let bare = text.trim_start_matches(' ');
             let end = bare.find(|char: char| !(char.is_ascii_digit() || ".,".contains(char)));
             let end = end.unwrap_or(bare.len());
-            (end > 0 && bare.starts_with(|first: char| first.is_ascii_digit()))
+            (end > 0 && bare.starts_with(is_digit))
                 .then(|| (text.len() - bare.len(), text.len() - bare.len() + end))
         };
         let Some((0, degrees)) = number(rest) else {

@@ -2,18 +2,17 @@
 
 use super::spoken::begins_operation;
 use super::words::{begins_words, is_shouted};
-use crate::signs::{RUNS, TURNS, is_minus};
+use crate::signs::{RUNS, TURNS, is_digit, is_minus};
 use crate::surroundings::{answer_in, enumeration};
 use crate::words::{EQUATIONS, LISTS, NUMBERS, ROOTS};
 
 /// Whether nothing is to be folded: printable ASCII without commands, dollars, marks and runs of signs.
 pub(crate) fn is_plain(typed: &str) -> bool {
-    let is_kept = |byte: u8| (b' '..=b'~').contains(&byte) && !b"$\\`~|".contains(&byte);
     let bytes = typed.as_bytes();
     let mut may_run = false;
     let is_kept_all = bytes.iter().enumerate().all(|(at, byte)| {
         may_run |= b"=*&{".contains(byte);
-        is_kept(*byte) && !begins_sign(&bytes[at..])
+        (b' '..=b'~').contains(byte) && !b"$\\`~|".contains(byte) && !begins_sign(&bytes[at..])
     });
     is_kept_all
         && !(may_run && (RUNS.iter().any(|(run, _)| typed.contains(run)) || typed.contains("*^")))
@@ -74,14 +73,13 @@ pub(crate) fn has_barred_numbers(typed: &str) -> bool {
     if has_barred_statements(typed) {
         return true;
     }
-    let is_between = |(at, _): (usize, &str)| {
-        let behind = typed[at + 1..].trim_start();
-        let unsigned = behind.strip_prefix(is_minus).unwrap_or(behind);
-        let is_digit = |char: char| char.is_ascii_digit();
-        typed[..at].trim_end().ends_with(is_digit)
-            && unsigned.starts_with(|char: char| is_digit(char) || char == '.')
-    };
+    let mut bars = typed.match_indices('|');
     typed.contains('|')
         && !typed.contains(['<', '>', '≤', '≥'])
-        && typed.match_indices('|').all(is_between)
+        && bars.all(|(at, _)| {
+            let behind = typed[at + 1..].trim_start();
+            let unsigned = behind.strip_prefix(is_minus).unwrap_or(behind);
+            typed[..at].trim_end().ends_with(is_digit)
+                && unsigned.starts_with(|char| is_digit(char) || char == '.')
+        })
 }

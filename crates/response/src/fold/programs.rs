@@ -2,14 +2,13 @@
 
 use super::Folder;
 use crate::letters::greek_word;
-use crate::signs::is_minus;
+use crate::signs::{is_digit, is_minus, is_of_name};
 use crate::words::EQUATIONS;
 
 impl Folder<'_> {
     /// What stands here after a digit and is read otherwise there: the power of ten of Mathematica, the points of a
     /// decimal that goes on.
     pub(crate) fn beside_digits(&self) -> Option<(usize, &'static str)> {
-        let is_digit = |char: char| char.is_ascii_digit();
         if !self.typed[..self.at].ends_with(|char| is_digit(char) || char == '.') {
             return None;
         }
@@ -33,7 +32,6 @@ impl Folder<'_> {
     pub(crate) fn silent(&self) -> Option<usize> {
         let (before, rest) = (&self.typed[..self.at], self.rest());
         let is_in_name = |char: char| char.is_alphanumeric() || ")]}_".contains(char);
-        let is_digit = |char: char| char.is_ascii_digit();
         let is_silent = if let Some(behind) = rest.strip_prefix('_') {
             behind.starts_with(']') || behind.starts_with('C') && !before.ends_with(is_in_name)
         } else if let Some(behind) = rest.strip_prefix('[') {
@@ -62,8 +60,7 @@ impl Folder<'_> {
     /// `Eq(a, b)`: what its brackets become spaces for; whether it stands here.
     pub(crate) fn equation(&mut self) -> bool {
         let rest = self.rest();
-        let is_letter = |before: char| before.is_alphanumeric() || before == '_';
-        if self.typed[..self.at].ends_with(is_letter) {
+        if self.typed[..self.at].ends_with(is_of_name) {
             return false;
         }
         let call = EQUATIONS.iter().find_map(|name| {
@@ -86,8 +83,7 @@ impl Folder<'_> {
 
     /// `Matrix(2, 2, [a, b, c, d])`: a matrix by its size; whether one stands here.
     pub(crate) fn matrix(&mut self) -> bool {
-        if self.typed[..self.at].ends_with(|before: char| before.is_alphanumeric() || before == '_')
-        {
+        if self.typed[..self.at].ends_with(is_of_name) {
             return false;
         }
         let typed = self.typed;

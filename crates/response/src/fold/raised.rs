@@ -2,7 +2,7 @@
 
 use super::Folder;
 use crate::digits::raised;
-use crate::signs::is_times;
+use crate::signs::{is_digit, is_times};
 
 /// Raised signs that integers are not made of, and what they are.
 const RAISED: &[(char, char)] = &[
@@ -35,8 +35,8 @@ fn lowered(char: char) -> Option<char> {
     if char.is_ascii() {
         return None;
     }
-    let other = || RAISED.iter().find(|(raised, _)| *raised == char);
-    raised(char).or_else(|| other().map(|(_, plain)| *plain))
+    let mut others = RAISED.iter();
+    raised(char).or_else(|| Some(others.find(|(raised, _)| *raised == char)?.1))
 }
 
 impl Folder<'_> {
@@ -51,11 +51,7 @@ impl Folder<'_> {
         let (mut plain, mut length, mut is_more) = (String::new(), 0, false);
         while let Some(char) = rest[length..].chars().next() {
             let behind = rest[length + char.len_utf8()..].chars().next();
-            let is_within = || {
-                behind
-                    .and_then(lowered)
-                    .is_some_and(|next| next.is_ascii_digit())
-            };
+            let is_within = || behind.and_then(lowered).is_some_and(is_digit);
             match lowered(char) {
                 Some(own) => {
                     is_more |= !(own.is_ascii_digit() || own == '-');

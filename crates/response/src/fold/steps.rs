@@ -1,7 +1,7 @@
 //! The steps of a derivation, of which the last one is the answer, and lines that go on with the one before.
 
 use super::Folder;
-use crate::signs::is_minus;
+use crate::signs::{is_digit, is_minus};
 
 /// Arrows from a step of a derivation to the next, and from an equation to one that says the same.
 const ARROWS: [&str; 17] = [
@@ -94,9 +94,8 @@ fn arrow_to_value(line: &str) -> Option<(usize, usize)> {
         .split(|char: char| !char.is_alphanumeric())
         .any(|word| word == before);
     // `1.4156 -> 1.42 s` rounds.
-    let is_rounded = before.starts_with(begins)
-        && before.ends_with(|last: char| last.is_ascii_digit())
-        && before.contains(['.', ',']);
+    let is_rounded =
+        before.starts_with(begins) && before.ends_with(is_digit) && before.contains(['.', ',']);
     ((is_name || is_rounded)
         && is_value
         && !is_used

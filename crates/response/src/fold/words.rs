@@ -2,7 +2,7 @@
 
 use super::Folder;
 use super::programs::holds_list;
-use crate::signs::TURNS;
+use crate::signs::{TURNS, is_digit};
 use crate::surroundings::{begins, behind_words};
 use crate::words::{
     Between, HALF_PI, LETTERS, LISTS, NUMBERS, PER_MILLE, PERCENT, ROOTED_UNITS, ROOTS, VERBS,
@@ -20,32 +20,27 @@ impl Folder<'_> {
             return None;
         }
         let of_words = |rest: &str| {
-            let is_same = |head: &str, word: &str| {
-                head == word || self.is_shouted && head.eq_ignore_ascii_case(word)
-            };
             WORDS.iter().find_map(|(words, plain)| {
-                let behind = behind_words(rest, words, is_same)?;
+                let behind = behind_words(rest, words, |head, word| {
+                    head == word || self.is_shouted && head.eq_ignore_ascii_case(word)
+                })?;
                 let may_end = matches!(*plain, PERCENT | PER_MILLE | "^2" | "^3" | HALF_PI);
                 let ends = behind.starts_with(' ')
                     || may_end && !behind.starts_with(char::is_alphanumeric);
                 ends.then(|| (rest.len() - behind.len(), *plain))
             })
         };
-        let compares = |verb: &str| {
+        let comparison = VERBS.iter().find_map(|verb| {
             let behind = behind_words(rest, verb, str::eq)?;
             let compared = behind.strip_prefix(' ')?.trim_start_matches(' ');
             let (length, plain) = of_words(compared)?;
             let is_sign = matches!(plain, "<" | ">" | "≤" | "≥");
             is_sign.then(|| (rest.len() - compared.len() + length, plain))
-        };
+        });
         // `or` and the like join what stands on both sides.
-        VERBS
-            .iter()
-            .find_map(|verb| compares(verb))
-            .or_else(|| of_words(rest))
-            .filter(|(_, plain)| {
-                !before.is_empty() || matches!(*plain, "<" | ">" | "≤" | "≥" | "-" | "+" | HALF_PI)
-            })
+        comparison.or_else(|| of_words(rest)).filter(|(_, plain)| {
+            !before.is_empty() || matches!(*plain, "<" | ">" | "≤" | "≥" | "-" | "+" | HALF_PI)
+        })
     }
 
     /// A unit under a root that ends a list, `(1, -1)/√kg`.
@@ -68,13 +63,12 @@ impl Folder<'_> {
             behind.is_some_and(|behind| behind.starts_with(' '))
         })?;
         let behind = &rest[word.len() + 1..];
-        let is_value = |char: char| char.is_ascii_digit() || "°)".contains(char);
-        let is_behind_value = before.ends_with(is_value);
+        let is_behind_value = before.ends_with(|last| is_digit(last) || "°)".contains(last));
         let stands = if *between == Between::Unit {
             is_behind_value && !behind.trim().is_empty() && Unit::read(behind.trim()).is_ok()
         } else {
             let next = behind.trim_start_matches('-');
-            let digits = next.trim_start_matches(|char: char| char.is_ascii_digit());
+            let digits = next.trim_start_matches(is_digit);
             let is_sure = *between == Between::Values || digits.starts_with(['.', ',']);
             let is_amount = before.ends_with(char::is_alphabetic)
                 && before.starts_with(|first: char| first.is_ascii_digit() || first == '-');
@@ -101,9 +95,8 @@ impl Folder<'_> {
         }
         let number = NUMBERS.iter().find(is_call);
         // `mat(1 + x)` may be a product of letters.
-        let holds_list = |name: &&&str| holds_list(&rest[name.len() + 1..]);
-        let list = || LISTS.iter().find(is_call).filter(holds_list);
-        let name = number.or_else(list)?;
+        let list = || LISTS.iter().find(is_call);
+        let name = number.or_else(|| list().filter(|name| holds_list(&rest[name.len() + 1..])))?;
         Some((name.len(), ""))
     }
 }
@@ -119,13 +112,12 @@ pub(crate) fn begins_words(own: &str) -> bool {
     if LETTERS.iter().any(|(word, ..)| *word == own) {
         return true;
     }
-    let is_word = |byte: u8| byte.is_ascii_alphabetic() || byte == b'.';
-    let is_begun = |words: &str| {
-        let behind = words.as_bytes().get(own.len());
-        begins(words, own) && matches!(behind, None | Some(b' '))
-    };
+    let mut bytes = own.bytes();
+    let mut words = WORDS.iter().map(|(words, _)| words).chain(VERBS);
     own.len() > 1
-        && own.bytes().all(is_word)
-        && (WORDS.iter().any(|(words, _)| is_begun(words))
-            || VERBS.iter().any(|verb| is_begun(verb)))
+        && bytes.all(|byte| byte.is_ascii_alphabetic() || byte == b'.')
+        && words.any(|words| {
+            let behind = words.as_bytes().get(own.len());
+            begins(words, own) && matches!(behind, None | Some(b' '))
+        })
 }

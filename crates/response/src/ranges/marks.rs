@@ -92,18 +92,18 @@ fn mark(text: &str, at: usize, char: char, before: Option<&Marked>) -> Option<(M
             Mark::Or
         }
         _ => {
-            let is_apart = text[..at].is_empty() || text[..at].ends_with(' ');
-            let ends = |word: &str| {
-                let behind = text[at..].strip_prefix(word);
-                behind.is_some_and(|behind| behind.is_empty() || behind.starts_with(' '))
-            };
-            // `everything but [0, 1]` joins nothing.
-            let compares = |word: &str| {
-                let behind = text[at + word.len()..].trim_start();
-                word != "but" || behind.starts_with(['<', '>', '≤', '≥'])
-            };
-            let is_joint = |word: &str| is_apart && ends(word) && compares(word);
-            let joint = JOINTS.iter().find(|(word, _)| is_joint(word));
+            if !(text[..at].is_empty() || text[..at].ends_with(' ')) {
+                return None;
+            }
+            let mut joints = JOINTS
+                .iter()
+                .filter(|(word, _)| text[at..].starts_with(word));
+            let joint = joints.find(|(word, _)| {
+                let behind = &text[at + word.len()..];
+                // `everything but [0, 1]` joins nothing.
+                let joins = *word != "but" || behind.trim_start().starts_with(['<', '>', '≤', '≥']);
+                (behind.is_empty() || behind.starts_with(' ')) && joins
+            });
             return joint.map(|(word, mark)| (*mark, word.len()));
         }
     };

@@ -2,6 +2,7 @@
 
 use super::marks::{Mark, Marked};
 use super::{Bounding, Condition, Group, Said};
+use crate::signs::is_digit;
 use crate::surroundings::behind_word;
 use crate::wording::is_symbol;
 use crate::words::{CONDITIONS, ENDS, LIMITS, ONWARDS, RANGES, UNBOUNDED, VERBS};
@@ -48,13 +49,13 @@ pub(crate) fn in_words<'t>(text: &'t str, marks: &[Marked]) -> Option<Vec<Group<
         return Some(vec![group(text, said)]);
     }
     let (mut groups, mut start) = (Vec::new(), 0);
-    let parts = |own: &&Marked| match own.mark {
+    let ends = marks.iter().filter(|own| match own.mark {
         Mark::Or => true,
         // `between 1 and 2 and from 4 to 5`
         Mark::And => text[own.at.end..].trim_start().starts_with("from "),
         _ => false,
-    };
-    let ends = marks.iter().filter(parts).map(|own| own.at.clone());
+    });
+    let ends = ends.map(|own| own.at.clone());
     for joint in ends.chain(std::iter::once(text.len()..text.len())) {
         let own = text[start..joint.start].trim();
         groups.push(group(own, range(own)?));
@@ -93,16 +94,11 @@ fn onwards(text: &str) -> Option<Said<'_>> {
             .find_map(|sign| str::split_once(bound, &sign))
             .unwrap_or(("", bound))
     };
-    let limit = || {
-        let mut found = LIMITS.iter();
-        found.find_map(|(word, is_less)| {
-            let bound = behind_word(text, word)?;
-            let is_number = bound
-                .trim_start()
-                .starts_with(|first: char| first.is_ascii_digit());
-            is_number.then(|| chain("", *is_less, bound))
-        })
-    };
+    let mut limits = LIMITS.iter().filter_map(|(word, is_less)| {
+        let bound = behind_word(text, word)?;
+        let is_number = bound.trim_start().starts_with(is_digit);
+        is_number.then(|| chain("", *is_less, bound))
+    });
     let either_way = || {
         let bound = text.rsplit_once(':').map_or(text, |(_, bound)| bound);
         // `x = ±3 mm` is two values.
@@ -113,15 +109,13 @@ fn onwards(text: &str) -> Option<Said<'_>> {
             open: None,
         })
     };
-    from.or_else(|| {
-        let mut found = ONWARDS.iter();
-        found.find_map(|(words, is_less)| {
-            let (lead, bound) = parted(text.strip_suffix(words)?);
-            Some(chain(lead, *is_less, bound))
-        })
-    })
-    .or_else(limit)
-    .or_else(either_way)
+    let mut onwards = ONWARDS.iter().filter_map(|(words, is_less)| {
+        let (lead, bound) = parted(text.strip_suffix(words)?);
+        Some(chain(lead, *is_less, bound))
+    });
+    from.or_else(|| onwards.next())
+        .or_else(|| limits.next())
+        .or_else(either_way)
 }
 
 /// `from 0.2 to 0.5 m`, `x between 0.2 and 0.5`, `0.2 … 0.5` and `0.2-0.5`.
@@ -166,13 +160,12 @@ fn range(text: &str) -> Option<Said<'_>> {
 
 /// The values around a dash, `0.2 m-0.5 m`, which is no sign of an exponent.
 fn dashed(text: &str) -> Option<(&str, &str)> {
-    let joins = |(at, _): &(usize, &str)| {
+    let (at, dash) = text.match_indices('-').find(|(at, _)| {
         let before = text[..*at].trim_end();
         let is_exponent = before.strip_suffix(['e', 'E']).is_some_and(|before| {
             before.ends_with(|last: char| last.is_ascii_digit() || last == '.')
         });
         before.ends_with(char::is_alphanumeric) && !is_exponent
-    };
-    let (at, dash) = text.match_indices('-').find(joins)?;
+    })?;
     Some((&text[..at], &text[at + dash.len()..]))
 }

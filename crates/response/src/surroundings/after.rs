@@ -4,7 +4,7 @@ use super::before::is_of_motion;
 use super::{behind_word, split_at_last};
 use crate::counts::in_words;
 use crate::letters::{combining, greek_word};
-use crate::signs::{is_apostrophe, is_minus};
+use crate::signs::{is_apostrophe, is_digit, is_digit_or_index, is_minus, is_of_word};
 use crate::words::ALIASES;
 use crate::words::{
     ASIDES, COUNTING, ENDS, OF_MINUS, REASONS, REMARKS, SEALS, TRAILS, TURNING, WORDS,
@@ -16,22 +16,14 @@ use vibank_source::lower;
 /// The length of words after an answer, of a remark in brackets, of a semicolon, or of a comma.
 pub(crate) fn trail(text: &str) -> Option<usize> {
     // The sentence may end after them.
-    let ended = text.strip_suffix('.').map_or(text, str::trim_end);
-    let of_words = |text: &'_ str| {
-        // Of the table, most rows end otherwise.
-        let last = text.as_bytes().last();
-        let mut likely = TRAILS
-            .iter()
-            .filter(|trail| trail.as_bytes().last() == last);
-        likely.find(|trail| text.ends_with(**trail))
-    };
-    let found = of_words(text).map(|words| (text, words));
-    let at_end = || of_words(ended).map(|words| (ended, words));
-    if let Some((own, words)) = found.or_else(|| (ended.len() < text.len()).then(at_end)?) {
+    let ended = text.strip_suffix('.').map(str::trim_end);
+    let mut ends = std::iter::once(text).chain(ended);
+    if let Some((own, words)) = ends.find_map(|own| Some((own, words_at_end(own)?))) {
         let before = &own[..own.len() - words.len()];
         let is_apart = before.ends_with([' ', ')', ']']) || words.starts_with(',');
         return is_apart.then(|| text.len() - before.len());
     }
+    let ended = ended.unwrap_or(text);
     if let Some(before) = SEALS.iter().find_map(|seal| ended.strip_suffix(seal)) {
         return (!before.trim().is_empty()).then(|| text.len() - before.len());
     }
@@ -62,18 +54,31 @@ pub(crate) fn trail(text: &str) -> Option<usize> {
     }
     // Who asks whether it is right has answered.
     if let Some(before) = text.strip_suffix('?') {
-        let ends = |last: char| last.is_alphanumeric() || ")]}°%²³'".contains(last);
-        return before.trim_end().ends_with(ends).then_some(1);
+        return ends_in_answer(before).then_some(1);
     }
     if let Some(before) = text.strip_suffix('!') {
         // `3!` is a factorial, and a power is none. The French set a space before the mark.
         let is_apart = before.ends_with([' ', '²', '³']) || before.ends_with("^2");
-        let ends = |last: char| last.is_alphabetic() || is_apart;
-        return before.trim_end().ends_with(ends).then_some(1);
+        let is_after = before
+            .trim_end()
+            .ends_with(|last: char| last.is_alphabetic() || is_apart);
+        return is_after.then_some(1);
     }
-    let before = text.strip_suffix([';', ','])?;
-    let ends = |last: char| last.is_alphanumeric() || ")]}°%²³'".contains(last);
-    before.trim_end().ends_with(ends).then_some(1)
+    ends_in_answer(text.strip_suffix([';', ','])?).then_some(1)
+}
+
+/// The row of [`TRAILS`] in which a text ends.
+fn words_at_end(text: &str) -> Option<&'static str> {
+    // Most rows end otherwise.
+    let last = text.as_bytes().last();
+    let mut likely = TRAILS.iter().filter(|own| own.as_bytes().last() == last);
+    likely.find(|own| text.ends_with(**own)).copied()
+}
+
+/// Whether a text ends in a sign in which an answer may end.
+fn ends_in_answer(text: &str) -> bool {
+    let text = text.trim_end();
+    text.ends_with(|last: char| last.is_alphanumeric() || ")]}°%²³'".contains(last))
 }
 
 /// The length of a remark in brackets after an answer: `(3 s.f.)`, `(see above)`, and the `(1)` by which an equation is
@@ -85,24 +90,25 @@ fn aside(text: &str) -> Option<usize> {
     let (before, aside) = pairs
         .iter()
         .find_map(|(close, open)| text.strip_suffix(*close)?.rsplit_once(open))?;
-    let length = || Some(text.len() - before.len());
+    let length = text.len() - before.len();
     if aside.starts_with("see ") || aside == "1" && before.contains('=') {
-        return length();
+        return Some(length);
     }
     // `overdamped (ζ > 1)`
-    let is_of_words = |char: char| char.is_alphabetic() || " -".contains(char);
     let is_named = before
         .split(' ')
         .any(|word| word.chars().count() > MIN_LETTERS)
-        && before.chars().all(is_of_words);
+        && before
+            .chars()
+            .all(|char| char.is_alphabetic() || " -".contains(char));
     if is_named && aside.contains(['<', '>']) || is_unit_again(before, aside) {
-        return length();
+        return Some(length);
     }
     let is_number = |word: &str| word.bytes().all(|byte| byte.is_ascii_digit());
     let is_said = |word: &str| {
         let word = word.trim_end_matches([',', ';', ':']);
         // `3sf`
-        let unit = word.trim_start_matches(|char: char| char.is_ascii_digit());
+        let unit = word.trim_start_matches(is_digit);
         is_number(word) || ASIDES.contains(&word) || ASIDES.contains(&unit)
     };
     // `12 (in)` has inches.
@@ -112,17 +118,13 @@ fn aside(text: &str) -> Option<usize> {
     };
     let mut words = aside.split_whitespace();
     if words.clone().all(is_said) && !words.clone().all(says_nothing) {
-        return length();
+        return Some(length);
     }
     let is_word = |word: &str| {
         let word = word.trim_end_matches([',', ';', '.', '!', '?']);
-        let is_of_index =
-            |char: char| char == '_' || char.is_ascii_digit() || ('₀'..='₉').contains(&char);
-        let is_of_word = |char: char| {
-            char.is_alphabetic() || char == '-' || is_apostrophe(char) || is_of_index(char)
-        };
+        let mut chars = word.chars();
         word.starts_with(|first: char| first.is_alphabetic() || is_apostrophe(first))
-            && word.chars().all(is_of_word)
+            && chars.all(|own| is_of_word(own) || own == '_' || is_digit_or_index(own))
     };
     // `(sin θ - μ cos θ sign ẋ)` is a factor.
     let is_no_letter = |word: &str| {
@@ -155,7 +157,7 @@ fn aside(text: &str) -> Option<usize> {
         && words.clone().all(is_word)
         && words.any(is_no_letter)
         && Unit::read(aside).is_err();
-    if are_words { length() } else { None }
+    are_words.then_some(length)
 }
 
 /// Whether a unit is the one in which a text ends, `0.7 s (seconds)`.
@@ -163,15 +165,14 @@ fn is_unit_again(before: &str, unit: &str) -> bool {
     let Ok(again) = Unit::read(unit) else {
         return false;
     };
-    let is_it = |own: &str| {
-        Unit::read(own).is_ok_and(|own| {
+    let words = before.match_indices(' ').map(|(at, _)| before[at..].trim());
+    let mut units = words.filter_map(|own| Unit::read(own).ok());
+    !again.is_one()
+        && units.any(|own| {
             own.dimension() == again.dimension()
                 && own.to_si(1.0) == again.to_si(1.0)
                 && own.angles() == again.angles()
         })
-    };
-    let mut units = before.match_indices(' ').map(|(at, _)| before[at..].trim());
-    !again.is_one() && units.any(is_it)
 }
 
 /// Whether a text ends in a number, perhaps with a unit after a space.
@@ -197,18 +198,15 @@ fn is_of_formula(word: &str) -> bool {
             || greek_word(stem).is_some()
             || is_dotted && stem.len() <= MAX_ARGUMENT
     };
-    let is_call = |name: &str| {
-        let argument = word.strip_prefix(name);
-        let is_short = |own: &str| {
-            let count = own.chars().count();
-            count < 2 || count <= MAX_ARGUMENT && !own.is_ascii()
-        };
-        argument.is_some_and(|own| is_short(own) || is_letter(own))
-    };
-    let mut names = Function::all()
+    let names = Function::all()
         .map(Function::name)
         .chain(ALIASES.iter().map(|(name, _)| *name));
-    is_letter(word) || names.any(is_call)
+    let mut arguments = names.filter_map(|name| word.strip_prefix(name));
+    is_letter(word)
+        || arguments.any(|own| {
+            let count = own.chars().count();
+            count < 2 || count <= MAX_ARGUMENT && !own.is_ascii() || is_letter(own)
+        })
 }
 
 /// Whether a word stands for a sign in a formula, `(x double dot)`, `(k over m)`.
@@ -228,11 +226,11 @@ fn body(text: &str) -> Option<usize> {
     if !text.contains('=') {
         return None;
     }
-    let in_brackets = || split_at_last(text.strip_suffix(')')?, " (");
-    let (before, said) = in_brackets()
+    let (before, said) = text
+        .strip_suffix(')')
+        .and_then(|text| split_at_last(text, " ("))
         .or_else(|| split_at_last(text, " where "))
         .or_else(|| split_at_last(text, " for "))?;
-    let is_sign = |char: char| "=+*/^()[]{}\\'".contains(char);
     let is_long = |word: &str| {
         let word = word.trim_end_matches([',', ';', '.']);
         word.chars().count() >= MIN_LETTERS
@@ -242,19 +240,17 @@ fn body(text: &str) -> Option<usize> {
     let mut words = said.split_whitespace();
     let is_said = words.clone().any(is_long)
         && !words.any(|word| is_spoken_sign(word) || is_of_formula(&lower(word)))
-        && !said.contains(is_sign);
+        && !said.contains(|char: char| "=+*/^()[]{}\\'".contains(char));
     (is_said && is_of_motion(before)).then(|| text.len() - before.len())
 }
 
 /// The length of a word that says what can be seen anyway, after a value, a list or an equation: `0 (translation)`,
 /// `[1 2; 2 5] (symmetric)`, `(1, -1), in phase`.
 fn remark(text: &str) -> Option<usize> {
-    // `0.4(dimensionless)`
-    let ends = |last: char| " ~%°".contains(last) || last.is_ascii_digit();
-    let is_apart = |before: &str| before.ends_with(ends);
     let in_brackets = |open: char, close: char| {
         let pair = text.strip_suffix(close)?.rsplit_once(open);
-        pair.filter(|(before, _)| is_apart(before))
+        // `0.4(dimensionless)`
+        pair.filter(|(own, _)| own.ends_with(|last| is_digit(last) || " ~%°".contains(last)))
     };
     let (before, said) = in_brackets('(', ')')
         .or_else(|| in_brackets('[', ']'))
@@ -294,8 +290,8 @@ fn precision(text: &str) -> Option<usize> {
 fn reason(text: &str) -> Option<usize> {
     text.match_indices(' ').find_map(|(at, _)| {
         let rest = &text[at + 1..];
-        let is_reason = |word: &&&str| behind_word(rest, word).is_some();
-        let word = REASONS.iter().find(is_reason)?;
+        let mut reasons = REASONS.iter();
+        let word = reasons.find(|word| behind_word(rest, word).is_some())?;
         let before = text[..at].trim_end();
         // Short words are letters elsewhere: `da` and `car` say why only after a comma.
         let is_apart = before.ends_with(',') || word.len() > 4;

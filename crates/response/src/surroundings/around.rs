@@ -27,9 +27,8 @@ pub(crate) fn quotes(text: &str) -> Option<(usize, usize)> {
 pub(crate) fn fence(text: &str) -> Option<(usize, usize)> {
     const MARK: &str = "```";
     let inner = text.strip_prefix(MARK)?.strip_suffix(MARK)?;
-    let is_language = |line: &str| line.chars().all(|char| char.is_ascii_alphabetic());
     let own = match inner.split_once('\n') {
-        Some((line, own)) if is_language(line.trim()) => own,
+        Some((line, own)) if line.trim().bytes().all(|byte| byte.is_ascii_alphabetic()) => own,
         _ => inner,
     };
     let is_whole = !own.trim().is_empty() && !own.contains(MARK);
@@ -55,11 +54,9 @@ pub(crate) fn program(text: &str) -> Option<(usize, usize)> {
     // `{x1(t) = …, x2(t) = …}`, as Maple gives solutions.
     let is_set = || {
         let pieces = cut(inner, Span::new(0, inner.len()), &[',']);
-        let is_equation = |piece: &Span| {
-            let text = &inner[piece.range()];
-            text.contains('=') && !text.contains(['<', '>', '!', '|', '{', '}'])
-        };
-        pieces.len() > 1 && pieces.iter().all(is_equation)
+        let mut texts = pieces.iter().map(|piece| &inner[piece.range()]);
+        let others = ['<', '>', '!', '|', '{', '}'];
+        pieces.len() > 1 && texts.all(|text| text.contains('=') && !text.contains(others))
     };
     (text.contains("->") && !inner.is_empty() || is_set()).then_some((1, 1))
 }

@@ -2,7 +2,9 @@
 
 use super::behind_words;
 use crate::letters::{greek_word, is_dotted};
-use crate::signs::{BULLETS, is_apostrophe, is_minus};
+use crate::signs::{
+    BULLETS, is_apostrophe, is_digit, is_digit_or_index, is_minus, is_of_name, is_of_word,
+};
 use crate::words::{LEADS, REMARKS};
 use vibank_source::lower;
 
@@ -27,14 +29,11 @@ pub(crate) fn lead(text: &str) -> Option<usize> {
     }
     LEADS.iter().find_map(|lead| {
         let behind = behind_words(bare, lead, str::eq_ignore_ascii_case)?;
-        let without_marks = |behind: &'_ str| {
-            let marks: &[char] = if is_marked { &['*', '_'] } else { &[] };
-            behind.trim_start_matches(marks).len()
-        };
-        let behind = &behind[behind.len() - without_marks(behind)..];
+        let marks: &[char] = if is_marked { &['*', '_'] } else { &[] };
+        let behind = behind.trim_start_matches(marks);
         // The French set a space before a colon; `Hence, x = 3` has a comma, and Chinese no space.
         let behind = match behind.trim_start_matches(' ').strip_prefix(':') {
-            Some(behind) => &behind[behind.len() - without_marks(behind)..],
+            Some(behind) => behind.trim_start_matches(marks),
             None => {
                 let behind = behind.strip_prefix([',', '，']).unwrap_or(behind);
                 let is_sign = lead.ends_with(['>', '→', '⇒', '⟹', '∴', '∝']);
@@ -44,13 +43,11 @@ pub(crate) fn lead(text: &str) -> Option<usize> {
             }
         };
         // `=> 3` is at least three where nothing else relates.
-        let relates = || {
-            behind.contains(['=', '<', '>', '≤', '≥', '≈', '∈'])
-                || [" in ", "\\le", "\\ge", "\\in", "\\approx"]
-                    .iter()
-                    .any(|sign| behind.contains(sign))
-        };
-        let is_lead = !behind.trim().is_empty() && (*lead != "=>" || relates());
+        let mut signs = [" in ", "\\le", "\\ge", "\\in", "\\approx"].into_iter();
+        let is_lead = !behind.trim().is_empty()
+            && (*lead != "=>"
+                || behind.contains(['=', '<', '>', '≤', '≥', '≈', '∈'])
+                || signs.any(|sign| behind.contains(sign)));
         is_lead.then(|| text.len() - behind.len())
     })
 }
@@ -74,18 +71,14 @@ pub(crate) fn described(text: &str) -> Option<usize> {
     const MIN_LETTERS: usize = 4;
     const MAX_WORDS: usize = 8;
     let (words, behind) = text.split_once(':')?;
-    let is_word = |word: &str| {
-        let is_of_word = |char: char| char.is_alphabetic() || char == '-' || is_apostrophe(char);
-        word.chars().all(is_of_word) && greek_word(&lower(word)).is_none()
-    };
-    let is_long = |word: &str| word.chars().count() >= MIN_LETTERS;
+    let is_word = |word: &&str| word.chars().all(is_of_word) && greek_word(&lower(word)).is_none();
     let words: Vec<&str> = words.split_whitespace().collect();
     let are_words = words.len() <= MAX_WORDS
-        && words.iter().all(|word| is_word(word))
-        && words.iter().any(|word| is_long(word));
-    let begins_value = |first: char| first.is_ascii_digit() || "([{.+$".contains(first);
+        && words.iter().all(is_word)
+        && words.iter().any(|word| word.chars().count() >= MIN_LETTERS);
     let value = behind.trim_start();
-    let is_value = value.starts_with(|first| begins_value(first) || is_minus(first))
+    let is_value = value
+        .starts_with(|first| is_digit(first) || "([{.+$".contains(first) || is_minus(first))
         || value.contains('=')
         || value.starts_with("\\begin");
     (are_words && is_value && !behind.starts_with('=') && !behind.contains(':'))
@@ -114,8 +107,9 @@ pub(crate) fn named_equation(text: &str) -> Option<usize> {
     // `m1:` or `2:`; `k:` may be divided.
     let is_name = |word: &&str| {
         let word = word.trim_matches(['(', ')', '.']);
-        let is_index = |char: char| char.is_ascii_digit() || ('₀'..='₉').contains(&char);
-        let letters = word.trim_end_matches(is_index).trim_end_matches('_');
+        let letters = word
+            .trim_end_matches(is_digit_or_index)
+            .trim_end_matches('_');
         let is_numbered = letters.len() < word.len();
         letters.chars().all(char::is_alphabetic) && (is_numbered || letters.len() > 1)
     };
@@ -153,8 +147,8 @@ pub(crate) fn bullet(text: &str) -> Option<usize> {
         return length(behind).filter(|_| is_set_apart);
     }
     if let Some(behind) = text.strip_prefix("> ") {
-        let begins = |first: char| first.is_alphabetic() || "\\$*".contains(first);
-        return length(behind).filter(|_| behind.starts_with(begins) && behind.contains('='));
+        let begins = behind.starts_with(|own: char| own.is_alphabetic() || "\\$*".contains(own));
+        return length(behind).filter(|_| begins && behind.contains('='));
     }
     if text.starts_with('#') {
         let behind = text.trim_start_matches('#').strip_prefix(' ')?;
@@ -164,7 +158,7 @@ pub(crate) fn bullet(text: &str) -> Option<usize> {
     let numbered = ["Out[", "In[", "(%o"]
         .iter()
         .find_map(|prompt| text.strip_prefix(prompt))?;
-    let behind = numbered.trim_start_matches(|char: char| char.is_ascii_digit());
+    let behind = numbered.trim_start_matches(is_digit);
     let is_numbered = behind.len() < numbered.len();
     let behind = ["]:=", "]=", "]//MatrixForm=", "]:", "] =", ")"]
         .iter()
@@ -176,9 +170,8 @@ pub(crate) fn bullet(text: &str) -> Option<usize> {
 /// `x = lambda t:`, `f = @(t)`.
 pub(crate) fn definition(text: &str) -> Option<usize> {
     const HEADS: &[&str] = &["lambda t:", "@(t)", "t ->", "t →", "t ↦"];
-    let is_of_name = |char: char| char.is_alphanumeric() || "_()".contains(char);
     let start = text.trim_start();
-    let behind = start.trim_start_matches(is_of_name);
+    let behind = start.trim_start_matches(|char| is_of_name(char) || "()".contains(char));
     let is_name = behind.len() < start.len();
     let behind = behind.trim_start().strip_prefix(['=', ':'])?;
     let behind = behind.strip_prefix('=').unwrap_or(behind);

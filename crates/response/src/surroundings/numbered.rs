@@ -3,7 +3,7 @@
 use std::ops::Range;
 
 use super::before::is_of_motion;
-use crate::signs::is_minus;
+use crate::signs::{is_digit, is_minus};
 
 /// The length of a number or letter before an answer, as the parts of a sheet have: `1) 5 m`, `(a) x = 5 m`, `1. -5 m`.
 pub(crate) fn number_of_item(text: &str) -> Option<usize> {
@@ -20,7 +20,7 @@ pub(crate) fn number_of_item(text: &str) -> Option<usize> {
     let begins_value = |behind: &str| {
         let behind = behind.trim_start();
         let unsigned = behind.strip_prefix(is_minus).unwrap_or(behind);
-        unsigned.starts_with(|next: char| next.is_ascii_digit())
+        unsigned.starts_with(is_digit)
     };
     let (is_label, behind) = if let Some(behind) = behind.strip_prefix(')') {
         // Of a choice, `a) static`, letters are answers. `(2) x` may be a product; `(1) 5 m` is the same either way.
@@ -156,8 +156,7 @@ fn are_apart(text: &str, labels: &[Range<usize>], close: &str) -> bool {
         .map(|(label, end)| text[label.end..end].trim());
     pieces.all(|piece| {
         let goes_on = piece.ends_with(['+', '-', '*', '/', '=', '<', '>', '(', '^']);
-        let is_statement =
-            piece.contains('=') || piece.starts_with(|first: char| first.is_ascii_digit());
+        let is_statement = piece.contains('=') || piece.starts_with(is_digit);
         // A number with a point is a label only where it can be no factor.
         let is_sure = close == ")" || is_statement || labels.len() > 2;
         !piece.is_empty() && !goes_on && is_sure

@@ -61,9 +61,9 @@ impl Values<'_> {
         if !bare.starts_with(char::is_alphabetic) {
             return None;
         }
-        let percent = || Unit::read("%").ok();
         let (value, unit) = match counts::in_words(bare) {
-            Some((value, is_percent)) => (value, if is_percent { percent()? } else { Unit::ONE }),
+            Some((value, true)) => (value, Unit::read("%").ok()?),
+            Some((value, false)) => (value, Unit::ONE),
             None => {
                 let (number, unit) = counts::in_front(bare);
                 (counts::in_words(number)?.0, Unit::read(unit).ok()?)
@@ -242,14 +242,14 @@ impl Values<'_> {
             _ => return None,
         };
         let literal = number.literal.as_ref()?;
-        let signed = |decimal: Decimal| {
-            if is_negative {
+        let of = |decimal: Decimal| {
+            let signed = if is_negative {
                 decimal.negated()
             } else {
                 decimal
-            }
+            };
+            Amount::decimal(signed, unit)
         };
-        let of = |decimal| Amount::decimal(signed(decimal), unit);
         let mut amount = of(literal.value);
         amount.others.extend(literal.other.map(of));
         Some(amount)
@@ -295,15 +295,14 @@ impl Values<'_> {
         if has_infinity {
             return error(Trouble::Value(ValueTrouble::Missing));
         }
-        let is_tight = |at: usize| !self.tokens[at].is_spaced && !self.tokens[at + 1].is_spaced;
-        let is_plain = |part: Part| self.literal(&part).is_some();
         let minus = part
             .clone()
             .skip(1)
             .find(|at| self.tokens[*at].item == Item::Sign('-'));
-        if let Some(at) = minus.filter(|at| at + 1 < part.end && is_tight(*at))
-            && is_plain(part.start..at)
-            && is_plain(at + 1..part.end)
+        if let Some(at) = minus.filter(|at| at + 1 < part.end)
+            && self.tokens[at..=at + 1].iter().all(|own| !own.is_spaced)
+            && self.literal(&(part.start..at)).is_some()
+            && self.literal(&(at + 1..part.end)).is_some()
         {
             return error(Trouble::Value(ValueTrouble::Range));
         }
