@@ -180,8 +180,7 @@ impl Marker for Whole {
         let digits = response.in_digits(&self.symbols.known);
         let response = digits.as_ref().map_or(response, Reworded::passage);
         let read = self.readings(response);
-        let is_count = |read: &(Quantity, _)| read.0.unit.is_one();
-        if !read.as_ref().is_ok_and(is_count)
+        if !read.as_ref().is_ok_and(|read| read.0.unit.is_one())
             && let Some((reading, _)) = self.in_symbols(response)
         {
             return Ok(Echo::of_reading(reading));
@@ -204,9 +203,8 @@ impl Marker for Whole {
             return self.counted(self.reading(&Quantity::pure(Decimal::ZERO)), 0.0);
         }
         let read = self.readings(response);
-        let is_count = |read: &(Quantity, _)| read.0.unit.is_one();
         // A count has no unit: what could be one is a symbol of the question.
-        if !read.as_ref().is_ok_and(is_count)
+        if !read.as_ref().is_ok_and(|read| read.0.unit.is_one())
             && let Some((reading, number)) = self.in_symbols(response)
         {
             return self.counted(reading, number);

@@ -67,15 +67,10 @@ impl Meaning {
             constraints: declare.constraints(),
             conditions: OnceLock::new(),
         };
-        let is_named_twice = |own: &Known| {
-            known
-                .iter()
-                .any(|other| other.name == own.name && is_free(other.role) != is_free(own.role))
-        };
         for own in &known {
-            let is_hidden =
-                is_named_twice(own) && is_free(own.role) == (prefer == Prefer::Quantities);
-            if !is_hidden {
+            let mut alike = known.iter().filter(|other| other.name == own.name);
+            let is_named_twice = alike.any(|other| is_free(other.role) != is_free(own.role));
+            if !is_named_twice || is_free(own.role) != (prefer == Prefer::Quantities) {
                 meaning.add(own, declare);
             }
         }
@@ -170,8 +165,8 @@ impl Meaning {
 
     /// The conditions that the data of the item have to meet.
     pub(crate) fn conditions(&self) -> &[Condition] {
-        let compile = || Condition::of(self, &self.constraints);
-        self.conditions.get_or_init(compile)
+        self.conditions
+            .get_or_init(|| Condition::of(self, &self.constraints))
     }
 
     /// Compiles a formula; `replaced` stand in for names.
@@ -235,11 +230,8 @@ impl Meaning {
     /// Whether something that moves with time stands in a formula, or in what its names stand for.
     pub(crate) fn uses_moving(&self, expr: &Expr) -> bool {
         let names = self.expanded(expr, &[]).names().free;
-        let is_moving = |name: &Name| {
-            self.place(name)
-                .is_some_and(|place| self.inputs[place].is_moving)
-        };
-        names.iter().any(|used| is_moving(&used.name))
+        let mut places = names.iter().filter_map(|used| self.place(&used.name));
+        places.any(|place| self.inputs[place].is_moving)
     }
 
     /// The place of a name among the inputs.

@@ -95,8 +95,7 @@ impl Naming {
             naming.lexicon.allow(&own.name, own.symbol.clone(), true);
             // Many leave the index out.
             let letter = Name::new(parted(own.name.as_str()).0);
-            let is_known = |known: &Known| known.name == letter;
-            if !known.iter().any(is_known) && !naming.asked.contains(&letter) {
+            if !known.iter().any(|known| known.name == letter) && !naming.asked.contains(&letter) {
                 naming.lexicon.allow(&letter, symbol(letter.as_str()), true);
                 naming.asked.push(letter);
             }
@@ -172,8 +171,8 @@ impl Naming {
         let typed = Label::of_passage(label);
         let of_omega = typed.with_omega();
         // What is asked may be printed as another quantity is that serves its solution.
-        let is_same = |printed: &Label| *printed == typed || of_omega.as_ref() == Some(printed);
-        let same = self.printed.iter().filter(|(printed, _)| is_same(printed));
+        let printed = self.printed.iter();
+        let same = printed.filter(|(own, _)| *own == typed || of_omega.as_ref() == Some(own));
         let names: Vec<&Name> = same.map(|(_, name)| name).collect();
         match names.iter().find(|name| self.asked.contains(name)) {
             Some(name) => Ok(Some(name)),
@@ -297,16 +296,14 @@ impl Naming {
     /// Whether a label is a part of a complex number that has the letter of what is asked and another index: `arg Z_m`,
     /// where that of Z_k is asked.
     fn is_of_other_complex(&self, label: Passage<'_>) -> bool {
-        let is_letter = |letter: &str| {
-            let mut asked = self.asked.iter();
-            asked.any(|own| parted(own.as_str()).0 == letter)
-        };
+        let mut letters = self.asked.iter().map(|own| parted(own.as_str()).0);
         let read = label
             .behind_part_of_complex()
             .and_then(|own| self.reads(own));
         read.is_some_and(|own| match own.kind() {
             expr::Kind::Name(name) => {
-                self.others.contains(name) && is_letter(parted(name.as_str()).0)
+                let letter = parted(name.as_str()).0;
+                self.others.contains(name) && letters.any(|own| own == letter)
             }
             _ => false,
         })

@@ -103,8 +103,7 @@ pub(crate) fn settle(
     } else {
         others.next().unwrap_or(first)
     };
-    let differs = |other: &Candidate| other.marking.verdict != first.marking.verdict;
-    let differing = others.filter(differs);
+    let differing = others.filter(|other| other.marking.verdict != first.marking.verdict);
     // The best of them, and the first of several that are as good.
     let Some(other) = differing.reduce(|best, other| {
         if other.marking.credit > best.marking.credit {

@@ -120,12 +120,11 @@ impl Steps {
             let typed = letter.formula(&self.letters, self.manner);
             typed.is_ok_and(|typed| self.asked.iter().any(|own| typed.value.names().uses(own)))
         };
-        let is_own = || side.formula(&self.letters, self.manner).is_err();
         // Without a name of what is asked nobody knows which letter is not it.
         !self.asked.is_empty()
             && side.is_of_free_letters()
             && has_letters(side)
-            && is_own()
+            && side.formula(&self.letters, self.manner).is_err()
             && !side.letters().iter().any(is_of_asked)
     }
 }

@@ -164,11 +164,11 @@ impl Answer for ChoiceAnswer {
     }
 
     fn keys(&self) -> Vec<NodeId> {
-        let condition = |right: &Right| match right {
+        let conditions = self.rights.iter().filter_map(|right| match right {
             Right::If(node) => Some(*node),
             Right::Always(_) => None,
-        };
-        self.rights.iter().filter_map(condition).collect()
+        });
+        conditions.collect()
     }
 
     fn options(&self) -> &[Choosable] {
@@ -203,14 +203,13 @@ impl Answer for ChoiceAnswer {
     }
 
     fn prepare<'t>(&self, context: &Context<'t>) -> Result<Box<dyn Marker + 't>, Absent> {
-        let is_right = |right: &Right| match right {
-            Right::Always(right) => Ok(*right),
-            Right::If(node) => context.evaluation.holds(*node),
-        };
         let right = self
             .rights
             .iter()
-            .map(is_right)
+            .map(|right| match right {
+                Right::Always(right) => Ok(*right),
+                Right::If(node) => context.evaluation.holds(*node),
+            })
             .collect::<Result<Vec<_>, _>>()?;
         let order = if context.order.len() == self.options.len() {
             context.order.clone()

@@ -3,7 +3,7 @@
 //! A constraint that says that two things are equal holds nowhere near a point that is drawn: where one of its sides is
 //! an input alone, this input is given the value of the other side.
 
-use crate::answer::meaning::{Input, Meaning, ORDERS};
+use crate::answer::meaning::{Meaning, ORDERS};
 use crate::expr::{Approx, Expr, Kind, Precise, Program, Registers, Relation};
 use crate::numerics::SortedMap;
 
@@ -49,11 +49,10 @@ impl Condition {
     fn read(meaning: &Meaning, expr: &Expr, solved: Option<usize>) -> Option<Self> {
         let program = meaning.compile(expr, &SortedMap::new()).ok()?;
         // What moves is not held by a constraint on the data.
-        let is_moving = |slot: &u32| {
-            let input: Option<&Input> = meaning.inputs.get(*slot as usize / ORDERS);
-            input.is_none_or(|input| input.is_moving)
-        };
-        let is_of_data = !program.slots().iter().any(is_moving);
+        let is_of_data = program.slots().iter().all(|slot| {
+            let input = meaning.inputs.get(*slot as usize / ORDERS);
+            input.is_some_and(|input| !input.is_moving)
+        });
         is_of_data.then_some(Self { program, solved })
     }
 

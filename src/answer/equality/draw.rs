@@ -125,12 +125,12 @@ impl<'a> Around<'a> {
         let own: Vec<(usize, f64)> = integers
             .map(|(place, _)| (place, point[place * ORDERS].high()))
             .collect();
-        let is_frequent = |own: &(usize, f64)| {
-            let alike = self.state.integers.iter().filter(|other| *other == own);
-            alike.count() >= MAX_ALIKE
-        };
+        let mut counts = own.iter().map(|own| {
+            let integers = self.state.integers.iter();
+            integers.filter(|other| *other == own).count()
+        });
         // Later draws are nearer to the data, at last where the integers are those of the instance.
-        if spread > NARROW && own.iter().any(is_frequent) {
+        if spread > NARROW && counts.any(|count| count >= MAX_ALIKE) {
             return None;
         }
         self.state.integers.extend(own);

@@ -30,8 +30,8 @@ pub(crate) struct Signs(Vec<Option<Ordering>>);
 impl Signs {
     /// Those of data, by input.
     pub(crate) fn of(data: &[Option<f64>]) -> Self {
-        let sign = |value: &Option<f64>| value.and_then(|value| value.partial_cmp(&0.0));
-        Self(data.iter().map(sign).collect())
+        let signs = data.iter().map(|value| value.as_ref()?.partial_cmp(&0.0));
+        Self(signs.collect())
     }
 }
 
@@ -111,14 +111,14 @@ impl<'t> Sampling<'t> {
 
     /// Typical data with these signs.
     pub(crate) fn centres(&self, meaning: &Meaning, signs: &Signs) -> Vec<Option<f64>> {
-        let centre = |(typical, sign): (Option<f64>, &Option<Ordering>)| {
+        let typical = meaning.values(&self.typical).into_iter();
+        let centres = typical.zip(&signs.0).map(|(typical, sign)| {
             let sign = f64::from(i32::from((*sign)? as i8));
             // Of a datum that is zero on the typical sheet nothing says how large it may be.
             let size = typical.filter(|size| *size != 0.0).map_or(1.0, f64::abs);
             Some(sign * size)
-        };
-        let typical = meaning.values(&self.typical).into_iter();
-        typical.zip(&signs.0).map(centre).collect()
+        });
+        centres.collect()
     }
 
     /// Hands out draws, nearer and nearer to typical data, until `take` has enough; what the draws after all of them go on
@@ -130,8 +130,8 @@ impl<'t> Sampling<'t> {
         mut take: impl FnMut(&Arc<[Precise]>) -> bool,
     ) -> Around<'a> {
         let mut all = self.drawn.0.lock().unwrap_or_else(PoisonError::into_inner);
-        let is_own = |own: &Draw| own.inputs == meaning.inputs && own.signs == *signs;
-        let place = all.iter().position(is_own);
+        let mut draws = all.iter();
+        let place = draws.position(|own| own.inputs == meaning.inputs && own.signs == *signs);
         let mut own = match place {
             Some(place) => all.swap_remove(place),
             None => Draw {

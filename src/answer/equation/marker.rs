@@ -37,8 +37,8 @@ pub(crate) struct Prepared {
 impl Prepared {
     /// The points for the data of the instance.
     fn own(&self) -> &Choice {
-        let make = || of_instance(&self.setup, &self.key, &self.data);
-        self.own.get_or_init(|| work::aside(make))
+        self.own
+            .get_or_init(|| work::aside(|| of_instance(&self.setup, &self.key, &self.data)))
     }
 
     /// Equations, their programs, and how they compare with the key: as they were typed or, unless that is right,
@@ -86,11 +86,9 @@ impl Prepared {
             let names = equations
                 .iter()
                 .flat_map(|own| own.difference().names().free);
-            let is_datum =
-                |name: &Name| !self.setup.unknowns.contains(name) && name.as_str() != "t";
             names
                 .map(|variable| variable.name)
-                .filter(is_datum)
+                .filter(|own| !self.setup.unknowns.contains(own) && own.as_str() != "t")
                 .collect()
         };
         let has_number = |equation: &Equation| {
@@ -102,14 +100,12 @@ impl Prepared {
         };
         let (key, typed) = (data(&self.setup.key), data(equations));
         // One as a value is not written: a letter that is missing is missing.
-        let is_written = |name: &Name| {
+        let mut missing = key.iter().filter(|name| !typed.contains(name));
+        let lacks_some = missing.any(|name| {
             let place = self.setup.meaning.place(name);
             place.and_then(|place| self.data[place]) != Some(1.0)
-        };
-        let mut missing = key.iter().filter(|name| !typed.contains(name));
-        let lacks_some = missing.any(is_written);
-        let has_numbers = || equations.iter().any(has_number);
-        lacks_some && has_numbers() && (typed.is_empty() || are_right())
+        });
+        lacks_some && equations.iter().any(has_number) && (typed.is_empty() || are_right())
     }
 
     /// The marking of equations that are not right.
@@ -234,28 +230,24 @@ impl Prepared {
     /// Whether equations are the key but for the rounding of their numbers: of coefficients, `0.333 m l² θ''`, or where
     /// the values stand for the letters, of these.
     fn is_rounded(&self, equations: &[Equation]) -> bool {
-        let is_key = |equations: Vec<Equation>| {
-            let compared = self.compared(equations);
-            compared.is_some_and(|(_, _, rows)| rows == Rows::Same)
-        };
-        self.are_rounded_values(equations) || exact(equations).is_some_and(is_key)
+        let compared = || self.compared(exact(equations)?);
+        self.are_rounded_values(equations)
+            || compared().is_some_and(|(_, _, rows)| rows == Rows::Same)
     }
 
     fn are_rounded_values(&self, equations: &[Equation]) -> bool {
         let ([own], [key], [points]) = (equations, &self.key[..], &self.choices.points[..]) else {
             return false;
         };
-        let rounding = || rounding_of_values(&own.difference());
-        let compared = || {
+        let are_nearly = || {
+            let part = rounding_of_values(&own.difference())?;
             let typed = self.setup.compile(equations, &SortedMap::new())?;
             let (terms, point) = (terms(&self.setup), points.first()?);
             let key = Coefficients::of(key, &terms, point)?;
             let typed = Coefficients::of(typed.first()?, &terms, point)?;
-            Some((typed, key))
+            Some(typed.are_nearly(&key, part))
         };
-        rounding()
-            .zip(compared())
-            .is_some_and(|(part, (typed, key))| typed.are_nearly(&key, part))
+        are_nearly().unwrap_or(false)
     }
 
     /// The marking of a reading, beside the responses to other parts.

@@ -97,11 +97,10 @@ pub(crate) fn read(part: &Table<'_>, declare: &mut dyn Declare) -> Option<Box<dy
             .iter()
             .flat_map(|text| declare.coordinates_of(text))
             .collect();
-        let is_own = |name: &Name| of_models.is_empty() || of_models.contains(name);
         let coordinates = known.iter().filter(|own| own.role == Role::Coordinate);
         names = coordinates
             .map(|own| own.name.clone())
-            .filter(is_own)
+            .filter(|name| of_models.is_empty() || of_models.contains(name))
             .collect();
     }
     for name in &names {
@@ -239,25 +238,23 @@ impl Answer for Equations {
         let setup = &self.setup;
         let graph = context.evaluation.graph();
         let none = SortedMap::new();
-        let absent = || Absent::Function {
-            label: "key".into(),
-            of: Vec::new(),
-        };
         let compile = || setup.compile(&setup.key, &context.standing);
         let key = if context.standing.is_empty() {
             setup.compiled.get(shared::KEY, compile)
         } else {
             compile().map(Arc::new)
         };
-        let key = key.ok_or_else(absent)?;
+        let key = key.ok_or_else(|| Absent::Function {
+            label: "key".into(),
+            of: Vec::new(),
+        })?;
         let data = setup.meaning.values(&context.evaluation);
         let signs = Signs::of(&data);
-        let around = || {
-            let centres = context.sampling.centres(&setup.meaning, &signs);
-            Choices::around(setup, &key, centres)
-        };
         let choices = match self.written {
-            Written::InLetters(_) => setup.choices.kept(&signs, context, around),
+            Written::InLetters(_) => setup.choices.kept(&signs, context, || {
+                let centres = context.sampling.centres(&setup.meaning, &signs);
+                Choices::around(setup, &key, centres)
+            }),
             Written::InValues => Arc::new(Choices::of_instance(setup, &key, &data)),
         };
         let mut mistakes = Vec::new();
@@ -266,12 +263,12 @@ impl Answer for Equations {
                 .mistakes
                 .iter()
                 .find(|(number, _)| *number == mistaken.number);
-            let compile = || match own {
+            let number = shared::of_mistake(mistaken.number);
+            let programs = setup.compiled.get(number, || match own {
                 Some((_, equations)) => setup.compile(equations, &none),
                 None => setup.compile(&setup.key, &symbolic::replaced(graph, mistaken)),
-            };
-            let number = shared::of_mistake(mistaken.number);
-            if let Some(programs) = setup.compiled.get(number, compile) {
+            });
+            if let Some(programs) = programs {
                 mistakes.push((mistaken.number, programs, mistaken.credit));
             }
         }
@@ -294,8 +291,8 @@ impl Answer for Equations {
 impl Setup {
     /// The key as it is printed: the same for all data.
     fn printed(&self) -> &Arc<Key> {
-        let print = || Key::formula(written(&self.key), self.typeset(&self.key));
-        self.printed.get_or_init(|| Arc::new(print()))
+        self.printed
+            .get_or_init(|| Arc::new(Key::formula(written(&self.key), self.typeset(&self.key))))
     }
 
     /// How equations were read.

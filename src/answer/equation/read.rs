@@ -14,18 +14,12 @@ pub(crate) fn equations(setup: &Setup, response: Passage<'_>) -> Result<Vec<Equa
             *why.why,
             Why::EquationNumber | Why::InitialState | Why::UnitOfZero | Why::NotInequality
         );
-        let defined = || {
-            (!is_beside)
-                .then(|| defined(setup, response, false))
-                .flatten()
-        };
         // `[M][x''] + [K][x] = 0`
-        let rows = || {
-            let rows = response.equations_of_matrices()?;
-            alone(setup, rows.passage(), Manner::REAL).ok()
-        };
-        let in_any_case = || alone(setup, response, Manner::REAL.in_any_case()).ok();
-        rows().or_else(defined).or_else(in_any_case).ok_or(why)
+        let rows = response.equations_of_matrices();
+        rows.and_then(|rows| alone(setup, rows.passage(), Manner::REAL).ok())
+            .or_else(|| (!is_beside).then(|| defined(setup, response, false))?)
+            .or_else(|| alone(setup, response, Manner::REAL.in_any_case()).ok())
+            .ok_or(why)
     })
 }
 
@@ -131,11 +125,11 @@ fn of_chain(chain: &Chain) -> Result<Vec<Equation>, Unreadable> {
     {
         return Err(Why::NotInequality.into());
     }
-    let pair = |sides: &[Expr]| Equation {
+    let equations = chain.sides.windows(2).map(|sides| Equation {
         left: sides[0].clone(),
         right: sides[1].clone(),
-    };
-    Ok(chain.sides.windows(2).map(pair).collect())
+    });
+    Ok(equations.collect())
 }
 
 /// What is said about a number of an equation, which could be a factor, and about the state at the start.

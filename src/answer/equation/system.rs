@@ -6,7 +6,7 @@ use super::points::Choices;
 use super::rows::Rows;
 use super::terms::{Coefficients, terms};
 use crate::answer::{Beside, Equations};
-use crate::expr::{Equation, Name, Program};
+use crate::expr::{Equation, Program};
 use crate::numerics::SortedMap;
 
 /// Other parts that are looked at; what they can say together grows with every one.
@@ -50,12 +50,11 @@ impl<'a> System<'a> {
             typed,
         } = beside.marker.equations(beside.response)?;
         let equations: Vec<&Equation> = self.setup.key.iter().chain(&key).collect();
-        let occurs = |name: &&Name| {
+        let occurring = unknowns.iter().filter(|name| {
             let mut all = equations.iter();
             all.any(|equation| equation.difference().names().uses(name))
-        };
-        let count = unknowns.iter().filter(occurs).count();
-        let fits = unknowns == self.setup.unknowns && equations.len() <= count;
+        });
+        let fits = equations.len() <= occurring.count() && unknowns == self.setup.unknowns;
         let none = SortedMap::new();
         let other = Other {
             key: self.setup.compile(&key, &none)?,

@@ -29,15 +29,11 @@ pub(crate) fn terms(
             .collect()
     };
     let (own, found) = (coefficients(key)?, coefficients(typed)?);
-    let best = |place: usize| {
-        let matches = (0..own.len()).filter_map(|key| {
-            let matched = Match::of(&own[key].values, &found[place].values)?;
-            Some((key, matched))
-        });
-        matches.min_by_key(|(_, matched)| matched.differing.len())
-    };
     for place in 0..typed.len() {
-        let Some((nearest, matched)) = best(place) else {
+        let matches = (0..own.len())
+            .filter_map(|key| Some((key, Match::of(&own[key].values, &found[place].values)?)));
+        let best = matches.min_by_key(|(_, matched)| matched.differing.len());
+        let Some((nearest, matched)) = best else {
             continue;
         };
         let pair = EquationPair {
@@ -113,7 +109,7 @@ impl EquationPair<'_> {
         if !matched.is_telling() {
             return None;
         }
-        let fault = |place: usize| {
+        let faults = matched.differing.iter().map(|&place| {
             let due = matched.scale * self.key.1.values[place];
             let given = self.typed.1.values[place];
             let name = self.name(place, due == 0.0);
@@ -127,8 +123,8 @@ impl EquationPair<'_> {
                 Fault::Coefficient(self.coefficient(place, matched))
             };
             (name, fault)
-        };
-        Some(matched.differing.iter().copied().map(fault).collect())
+        });
+        Some(faults.collect())
     }
 
     /// What is wrong with a coefficient, next to one that is right.

@@ -243,15 +243,14 @@ impl Prepared {
 
     /// Whether another side of the equals signs is a formula that is not the same as the last one.
     fn contradicts_itself(&self, response: Passage<'_>) -> bool {
-        let differs = |typed: Typed<Expr>| {
+        self.other_forms(response).into_iter().any(|typed| {
             let mut readings = [typed.value].into_iter().chain(typed.others);
             readings.all(|expr| {
                 let other = self.comparable(&expr);
                 other
                     .is_some_and(|other| self.points.compare(&self.key, &other) != Comparison::Same)
             })
-        };
-        self.other_forms(response).into_iter().any(differs)
+        })
     }
 
     /// The readings of a formula. Where all is real, the imaginary unit may stand in what comes out real, `|1 + iζ|`.
@@ -294,15 +293,14 @@ impl Prepared {
         let fits = |expr: &Expr| self.misfit(expr).is_none();
         let last = forms.pop()?.fitting(fits);
         let own = self.comparable(&last)?;
-        let is_same = |form: Typed<Expr>| {
+        let are_same = forms.into_iter().all(|form| {
             let form = self.comparable(&form.fitting(fits));
             form.is_some_and(|form| self.points.compare(&own, &form) == Comparison::Same)
-        };
-        let typed = Typed {
+        });
+        are_same.then_some(Typed {
             value: last,
             others: Vec::new(),
-        };
-        forms.into_iter().all(is_same).then_some(typed)
+        })
     }
 
     /// The last side of a statement that begins with steps in letters of one's own, `F_R/k = μ m g/k`; none of them is
@@ -313,8 +311,7 @@ impl Prepared {
         let (last, steps) = pieces.split_last()?;
         let read = |side: &Passage<'_>| side.formula(&self.setup.lexicon, self.manner());
         let has_asked = |side: &Passage<'_>| self.setup.naming.may_have_asked(*side);
-        let are_own = steps.first().is_some_and(|first| read(first).is_err());
-        if !are_own || steps.iter().any(has_asked) {
+        if read(steps.first()?).is_ok() || steps.iter().any(has_asked) {
             return None;
         }
         read(last).ok()
@@ -326,13 +323,13 @@ impl Prepared {
         read: impl Fn(Manner) -> Result<Typed<Expr>, TypedError>,
     ) -> Result<Typed<Expr>, TypedError> {
         let own = self.manner();
-        let is_real = |typed: &Typed<Expr>| {
-            let found = typed.value.check(&self.setup.meaning);
-            found.is_ok_and(|found| found.field() == Field::Real)
-        };
         match read(own) {
             Err(error) if !own.has_imaginary_unit => {
-                read(Manner::COMPLEX).ok().filter(is_real).ok_or(error)
+                let real = read(Manner::COMPLEX).ok().filter(|typed| {
+                    let found = typed.value.check(&self.setup.meaning);
+                    found.is_ok_and(|found| found.field() == Field::Real)
+                });
+                real.ok_or(error)
             }
             read => read,
         }
@@ -391,11 +388,10 @@ impl Prepared {
     /// A formula and the unit that comes after it all the same, `sqrt(k/m) rad/s`.
     fn before_unit<'t>(&self, response: Passage<'t>) -> Option<BeforeUnit<'t>> {
         let has_names = self.has_names();
-        let reads = |cut: &BeforeUnit<'_>| {
+        response.before_units().find(|cut| {
             let typed = self.read(cut.formula);
             typed.is_ok_and(|typed| !has_names || !typed.value.names().free.is_empty())
-        };
-        response.before_units().find(reads)
+        })
     }
 
     /// The marking of a formula before a unit: one in which it comes out is passed over, another one handed back.
@@ -446,10 +442,8 @@ impl Prepared {
 
     /// Whether a response is a number in the unit of the key.
     fn is_number(&self, response: Passage<'_>) -> bool {
-        let has_key_dimension = |quantity: crate::unit::Quantity| {
-            Some(quantity.unit.dimension()) == self.setup.kind.dimension()
-        };
-        crate::answer::numeric::quantity(response, self.mark).is_ok_and(has_key_dimension)
+        crate::answer::numeric::quantity(response, self.mark)
+            .is_ok_and(|quantity| Some(quantity.unit.dimension()) == self.setup.kind.dimension())
     }
 }
 

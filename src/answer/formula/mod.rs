@@ -74,8 +74,8 @@ pub(crate) struct Setup {
 impl Setup {
     /// The key as it is printed: the same for all data.
     fn printed(&self) -> &Arc<Key> {
-        let print = || symbolic::printed(&self.shown, &self.lexicon);
-        self.printed.get_or_init(print)
+        self.printed
+            .get_or_init(|| symbolic::printed(&self.shown, &self.lexicon))
     }
 }
 
@@ -207,14 +207,14 @@ impl Answer for Formula {
         let around = || Points::around(&setup.meaning, &context.sampling, &signs, &[&key]);
         let points = setup.points.kept(&signs, context, around);
         let mistakes = context.mistakes.iter().filter_map(|mistaken| {
-            let compile = || match mistaken.given.first() {
+            let number = shared::of_mistake(mistaken.number);
+            let formula = setup.compiled.get(number, || match mistaken.given.first() {
                 Some(node) => compile(&symbolic::formula(graph, *node), &none),
                 None => compile(&setup.expr, &symbolic::replaced(graph, mistaken)),
-            };
-            let number = shared::of_mistake(mistaken.number);
+            });
             Some(Mistake {
                 number: mistaken.number,
-                formula: setup.compiled.get(number, compile)?,
+                formula: formula?,
                 credit: mistaken.credit,
             })
         });

@@ -77,12 +77,12 @@ impl Labels {
         if pieces.len() < 2 {
             return Ok(response);
         }
-        let is_own = |piece: &&Passage<'_>| {
+        let own = pieces.into_iter().filter(|piece| {
             let sides = piece.equated();
             sides.is_some_and(|(left, _)| matches!(self.side(left), Ok(Side::Own)))
-        };
-        match &pieces.iter().filter(is_own).collect::<Vec<_>>()[..] {
-            [one] => Ok(**one),
+        });
+        match own.collect::<Vec<_>>()[..] {
+            [one] => Ok(one),
             _ => Err(Why::OneFunction(self.asked.clone()).into()),
         }
     }

@@ -177,8 +177,8 @@ impl OnSpan<'_> {
     }
 
     fn fine(&self) -> f64 {
-        let largest = |largest: f64, value: &f64| largest.max(value.abs());
-        fine(self.values.iter().fold(0.0, largest))
+        let sizes = self.values.iter().map(|value| value.abs());
+        fine(sizes.fold(0.0, f64::max))
     }
 
     fn is_number(&self, step: NodeId) -> bool {

@@ -71,37 +71,34 @@ pub(crate) struct Mistake {
 
 impl Prepared<'_> {
     fn windows(&self) -> &[Window] {
-        let on_span = || OnSpan {
-            evaluation: &self.evaluation,
-            key: self.key,
-            ends: self.ends,
-            times: &self.times,
-            values: &self.values,
-            halves: &self.halves,
-            share: rounding(self.figures),
-            stated: self.is_stated().then_some((&self.tolerance, self.figures)),
-        };
         self.windows.get_or_init(|| {
             if self.setup.is_in_pieces {
-                Vec::new()
-            } else {
-                work::aside(|| on_span().windows())
+                return Vec::new();
             }
+            let on_span = OnSpan {
+                evaluation: &self.evaluation,
+                key: self.key,
+                ends: self.ends,
+                times: &self.times,
+                values: &self.values,
+                halves: &self.halves,
+                share: rounding(self.figures),
+                stated: self.is_stated().then_some((&self.tolerance, self.figures)),
+            };
+            work::aside(|| on_span.windows())
         })
     }
 
     fn mistakes(&self) -> &[Mistake] {
-        let mistake = |mistaken: &Mistaken| {
-            let (number, credit) = (mistaken.number, mistaken.credit);
-            let values = self.values_of_mistake(mistaken).ok()?;
+        let mistakes = self.mistaken.iter().filter_map(|mistaken| {
             Some(Mistake {
-                number,
-                values,
-                credit,
+                number: mistaken.number,
+                values: self.values_of_mistake(mistaken).ok()?,
+                credit: mistaken.credit,
             })
-        };
-        let all = || self.mistaken.iter().filter_map(mistake).collect();
-        self.mistakes.get_or_init(|| work::aside(all))
+        });
+        self.mistakes
+            .get_or_init(|| work::aside(|| mistakes.collect()))
     }
 
     fn values_of_mistake(&self, mistaken: &Mistaken) -> Result<Vec<f64>, Absent> {
@@ -135,12 +132,12 @@ impl Prepared<'_> {
         if program.form() != Form::REAL {
             return None;
         }
-        let at = |time: &Precise| AtTime {
+        let inputs = times.iter().map(|time| AtTime {
             data: &self.data,
             slot: slot as u32,
             time: *time,
-        };
-        let inputs: Vec<AtTime<'_>> = times.iter().map(at).collect();
+        });
+        let inputs: Vec<AtTime<'_>> = inputs.collect();
         program.sweep(vec![slot as u32]).reals(0.0, &inputs).ok()
     }
 

@@ -101,8 +101,8 @@ pub(crate) struct Setup {
 impl Setup {
     /// The key as it is printed: the same for all data.
     fn printed(&self) -> &Arc<Key> {
-        let print = || symbolic::printed(&self.shown, &self.lexicon);
-        self.printed.get_or_init(print)
+        self.printed
+            .get_or_init(|| symbolic::printed(&self.shown, &self.lexicon))
     }
 }
 

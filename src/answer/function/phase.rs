@@ -39,13 +39,13 @@ pub(crate) fn with_rounded_numbers(
     if half.to_f64() * radians(&phase) > MAX_HALF {
         return None;
     }
-    let moved = |number: Expr| {
-        let value = number_of(&number)?;
+    let moved = numbers.iter().filter_map(|number| {
+        let value = number_of(number)?;
         let half = half_unit(value, figures)?;
-        let lower = replaced(function, &number, value.checked_sub(half)?);
-        Some([lower, replaced(function, &number, value.checked_add(half)?)])
-    };
-    Some(numbers.into_iter().filter_map(moved).collect())
+        let lower = replaced(function, number, value.checked_sub(half)?);
+        Some([lower, replaced(function, number, value.checked_add(half)?)])
+    });
+    Some(moved.collect())
 }
 
 fn is_wave(expr: &Expr) -> bool {

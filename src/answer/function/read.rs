@@ -34,12 +34,11 @@ fn defined(key: &Prepared<'_>, response: Passage<'_>) -> Option<Response> {
         .measured_by(&measure);
     let typed = stated.formula(&setup.lexicon, Manner::REAL).ok()?;
     let read = bare(key, of_right_dimension(key, typed));
-    let is_same = |form: Typed<Expr>| {
-        let values = key.values_of(&of_right_dimension(key, form));
-        values.is_some_and(|values| key.fits(&read.values, &values))
-    };
-    let mut forms = stated.other_forms(&setup.lexicon, Manner::REAL).into_iter();
-    (!adds_angle(key, &read.expr) && forms.all(is_same)).then_some(read)
+    let forms = stated.other_forms(&setup.lexicon, Manner::REAL).into_iter();
+    let mut values = forms.map(|form| key.values_of(&of_right_dimension(key, form)));
+    let is_it = !adds_angle(key, &read.expr)
+        && values.all(|own| own.is_some_and(|values| key.fits(&read.values, &values)));
+    is_it.then_some(read)
 }
 
 /// The function that a response is: the last form of it that was typed, which the others have to equal.
@@ -203,14 +202,14 @@ fn function(key: &Prepared<'_>, typed: Passage<'_>) -> Result<Response, Unreadab
 /// The readings of a text beside the one that was taken which make as much sense as it does.
 fn other_readings(key: &Prepared<'_>, typed: Typed<Expr>, taken: &Expr) -> Vec<Expr> {
     let is_sound = makes_sense(key, taken);
-    let fits = |expr: &Expr| {
+    let all = [typed.value].into_iter().chain(typed.others);
+    let fitting = all.filter(|expr| {
         expr != taken
             && key.dimension_trouble(expr).is_none()
             && fits_in_steps(key, expr)
             && (!is_sound || makes_sense(key, expr))
-    };
-    let all = [typed.value].into_iter().chain(typed.others);
-    all.filter(fits).collect()
+    });
+    fitting.collect()
 }
 
 /// Whether a formula in letters of the question has the dimension of the key, down to what stands in its waves.

@@ -35,19 +35,19 @@ pub(crate) fn slip(key: &Prepared<'_>, response: &Response) -> Option<Slip> {
     if fits(&scaled(-1.0)) {
         return Some(Slip::Sign(Negated::Whole));
     }
-    let degrees = |angle: &Expr| {
+    let has_degrees = fits_with(&|angle| {
         let start = at(angle, Expr::number(0))?;
         let radians = start.clone() * Expr::constant(Constant::Pi) / Expr::number(180);
         Some(angle.clone() - start + radians)
-    };
-    if fits_with(&degrees) {
+    });
+    if has_degrees {
         return Some(Slip::PhaseInDegrees);
     }
-    let turns = |angle: &Expr| {
+    let has_turns = fits_with(&|angle| {
         let turn = Expr::number(2) * Expr::constant(Constant::Pi);
         at(angle, turn * Expr::name(variable.clone()))
-    };
-    if fits_with(&turns) {
+    });
+    if has_turns {
         return Some(Slip::TwoPi(TwoPi::Wave));
     }
     let is_bare = !key.has_data(&response.expr);
@@ -114,8 +114,7 @@ pub(crate) fn without_waves(expr: &Expr) -> Expr {
 }
 
 fn mapped(expr: &Expr, change: &mut dyn FnMut(&Expr) -> Expr) -> Expr {
-    let mut apply = |child: &Expr| Ok::<_, Infallible>(change(child));
-    match expr.try_map_children(&mut apply) {
+    match expr.try_map_children(&mut |child| Ok::<_, Infallible>(change(child))) {
         Ok(changed) => changed,
         Err(never) => match never {},
     }

@@ -405,13 +405,11 @@ impl Marker for Prepared {
             [0, 1].map(|place| (at, place, piece.0[place].value, halves[place]))
         });
         // An end that is not cut off by the bounds of the question.
-        let is_free = |value: f64| {
-            self.within
-                .as_ref()
-                .is_none_or(|within| within.0.iter().all(|end| end.value != value))
-        };
-        let mut ends =
-            end.filter(|(_, _, value, half)| value.is_finite() && *half > 0.0 && is_free(*value));
+        let bounds = self.within.iter().flat_map(|within| &within.0);
+        let mut ends = end.filter(|(_, _, value, half)| {
+            let is_free = bounds.clone().all(|end| end.value != *value);
+            value.is_finite() && *half > 0.0 && is_free
+        });
         if let Some((at, place, value, half)) = ends.next() {
             let moved = |share: f64| {
                 let mut set = self.key.clone();

@@ -142,24 +142,21 @@ impl Set {
     /// Whether both are one set but for the rounding of three figures.
     pub(crate) fn is_same_as(&self, other: &Self) -> bool {
         const SHARE: f64 = 0.01;
-        let is_near = |(own, other): (&SetPiece, &SetPiece)| {
-            let mut ends = own.0.iter().zip(&other.0);
-            ends.all(|(own, other)| own.is_near(other, SHARE * own.size()))
-        };
+        let pieces = self.0.iter().zip(&other.0);
+        let mut ends = pieces.flat_map(|(own, other)| own.0.iter().zip(&other.0));
         self.0.len() == other.0.len()
-            && self.0.iter().zip(&other.0).all(is_near)
+            && ends.all(|(own, other)| own.is_near(other, SHARE * own.size()))
             && self.has_ends_of(other)
     }
 
     /// Whether the ends of both are open alike.
     pub(crate) fn has_ends_of(&self, other: &Self) -> bool {
-        let open = |set: &Self| -> Vec<[bool; 2]> {
+        let [own, other] = [self, other].map(|set| {
             set.0
                 .iter()
-                .map(|piece| piece.0.map(|end| end.is_open))
-                .collect()
-        };
-        open(self) == open(other)
+                .flat_map(|piece| piece.0.map(|end| end.is_open))
+        });
+        own.eq(other)
     }
 
     /// As inequalities, typeset and as text.

@@ -62,16 +62,15 @@ impl Prepared {
         };
         self.marking(reading, &wrong, named, || {
             let misfit = slip::wrong_dimension(self, entries, &wrong).map(Remark::from);
-            let slip = || slip::of_formulas(self, formulas, &typed, &comparisons);
-            misfit.or_else(|| slip().map(Remark::from))
+            misfit.or_else(|| Some(slip::of_formulas(self, formulas, &typed, &comparisons)?.into()))
         })
     }
 
     /// Marks entries in symbols after which a unit stands all the same.
     fn mark_with_unit(&self, reading: Reading, entries: &[Expr], unit: &Unit) -> Marking {
         let (dimension, text) = (unit.dimension(), unit.text());
-        let is_own = |own: &Unit| own.dimension() == dimension;
-        if !self.setup.units.iter().any(is_own) {
+        let mut units = self.setup.units.iter();
+        if !units.any(|own| own.dimension() == dimension) {
             return Marking::unreadable(Unreadable::at(text, Why::UnitBehindMatrix));
         }
         let mut marking = self.mark_formulas(reading, entries);
@@ -142,7 +141,7 @@ impl Prepared {
 
     /// The numbers of entries without names in SI units, or why they have none.
     fn numbers(&self, entries: &[Expr], stated: Option<&Unit>) -> Result<Vec<f64>, Unreadable> {
-        let value = |(place, entry): (usize, &Expr)| {
+        let values = entries.iter().enumerate().map(|(place, entry)| {
             let number = crate::expr::Program::compile(entry, &crate::expr::Slots(&[]))
                 .ok()
                 .and_then(|program| {
@@ -160,8 +159,8 @@ impl Prepared {
             } else {
                 Err(Why::UnitOfEntries(shown).into())
             }
-        };
-        entries.iter().enumerate().map(value).collect()
+        });
+        values.collect()
     }
 }
 
@@ -204,15 +203,13 @@ impl Marker for Prepared {
             .iter()
             .all(|text| !text.contains('[') && !text.contains("if "));
         // What the entries are written in may be more than an answer may use.
-        let reads = |text: &String| {
-            Passage::of(text)
-                .formula(&setup.lexicon, Manner::default())
-                .is_ok()
-        };
+        let mut formulas = texts
+            .iter()
+            .map(|text| Passage::of(text).formula(&setup.lexicon, Manner::default()));
         if self.formulas.is_some()
             && setup.written != Written::Number
             && is_typable
-            && texts.iter().all(reads)
+            && formulas.all(|formula| formula.is_ok())
         {
             trials.push(Trial::new(Nature::Right, rows(texts.clone())));
             if let Some(place) = texts.iter().position(|text| text != "0") {
@@ -263,11 +260,10 @@ impl Marker for Prepared {
         let wanted = Wanted::Matrix(Some(setup.rows).filter(|rows| *rows == setup.columns));
         let read =
             |response: Passage<'_>| response.list(&setup.lexicon, &setup.units, wanted, fits);
-        let without_units = || {
-            let bare = response.without_units_of_entries(&setup.units, false)?;
-            read(bare.passage()).ok()
-        };
-        let listed = read(response).or_else(|error| without_units().ok_or(error));
+        let listed = read(response).or_else(|error| {
+            let bare = response.without_units_of_entries(&setup.units, false);
+            bare.and_then(|bare| read(bare.passage()).ok()).ok_or(error)
+        });
         let listed = match listed {
             Ok(listed) if fits(&listed) => listed,
             Ok(Listed { rows, .. }) => {

@@ -178,12 +178,11 @@ impl Setup {
 
     /// Entries by rows, typeset.
     fn typeset(&self, entries: &[Expr]) -> Math {
-        let set = |row: &[Expr]| {
-            row.iter()
-                .map(|entry| entry.typeset(&self.lexicon))
-                .collect()
-        };
-        Math::matrix(entries.chunks(self.columns.max(1)).map(set).collect())
+        let rows = entries.chunks(self.columns.max(1)).map(|row| {
+            let entries = row.iter().map(|entry| entry.typeset(&self.lexicon));
+            entries.collect()
+        });
+        Math::matrix(rows.collect())
     }
 }
 
@@ -283,18 +282,17 @@ impl Answer for Matrix {
         });
         let mistakes = context.mistakes.iter().map(|mistaken| {
             let own = mistaken.given.first();
-            let compile = || match own {
-                Some(node) => {
-                    let expr = symbolic::formula(graph, *node);
-                    setup.compile(&symbolic::entries(&expr, setup.shape()), &none)
-                }
-                None => setup.compile(&entries, &symbolic::replaced(graph, mistaken)),
-            };
             let number = shared::of_mistake(mistaken.number);
             let numbers = own.and_then(|node| evaluation.value(*node).ok());
             Mistake {
                 number: mistaken.number,
-                formulas: setup.compiled.get(number, compile),
+                formulas: setup.compiled.get(number, || match own {
+                    Some(node) => {
+                        let expr = symbolic::formula(graph, *node);
+                        setup.compile(&symbolic::entries(&expr, setup.shape()), &none)
+                    }
+                    None => setup.compile(&entries, &symbolic::replaced(graph, mistaken)),
+                }),
                 numbers: numbers.map_or(Vec::new(), |value| value.numbers().to_vec()),
                 credit: mistaken.credit,
             }

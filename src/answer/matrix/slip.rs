@@ -7,7 +7,6 @@ use super::marker::Prepared;
 use crate::answer::equality::{Comparable, Comparison, Points};
 use crate::answer::{Decades, Misfit, Negated, Slip};
 use crate::expr::Expr;
-use crate::unit::Dimension;
 
 /// Largest number of coordinates whose order is looked at.
 const MAX_COORDINATES: usize = 4;
@@ -87,15 +86,12 @@ pub(crate) fn wrong_dimension(key: &Prepared, entries: &[Expr], wrong: &[usize])
                 entry: at,
                 error: errors.first().cloned(),
             },
-            Ok(found) => {
-                let is_other = |own: &Dimension| *own != unit.dimension();
-                Misfit::Comes {
-                    entry: at,
-                    found: found.dimension().filter(is_other)?,
-                    unit: Some(*unit).filter(|unit| !unit.text().is_empty()),
-                    asked: Some(unit.dimension()),
-                }
-            }
+            Ok(found) => Misfit::Comes {
+                entry: at,
+                found: found.dimension().filter(|own| *own != unit.dimension())?,
+                unit: Some(*unit).filter(|unit| !unit.text().is_empty()),
+                asked: Some(unit.dimension()),
+            },
         })
     })
 }
@@ -105,8 +101,7 @@ fn of_factor(factor: f64) -> Slip {
     if is_near(-1.0) {
         return Slip::Sign(Negated::Entries);
     }
-    let is_power = |power: &i32| *power != 0 && is_near(crate::numerics::powi(10.0, *power));
-    if (-9..=9).any(|power| is_power(&power)) {
+    if (-9..=9).any(|power| power != 0 && is_near(crate::numerics::powi(10.0, power))) {
         return Slip::PowerOfTen(Decades::Prefix);
     }
     Slip::CommonFactor

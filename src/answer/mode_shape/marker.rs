@@ -50,15 +50,15 @@ impl Prepared {
 
     /// The vectors of the key in the scale that is asked for.
     fn scaled(&self) -> Vec<Vec<f64>> {
-        let scaled = |vector: &Vec<f64>| {
+        let scaled = self.keys.iter().map(|vector| {
             let one = match self.setup.scale {
                 AskedScale::First => vector[0],
                 AskedScale::Any => simple_scale(vector),
                 AskedScale::Mass => 1.0,
             };
             vector.iter().map(|value| value / one).collect()
-        };
-        self.keys.iter().map(scaled).collect()
+        });
+        scaled.collect()
     }
 
     /// The shapes that are right for the vector at this place.
@@ -218,8 +218,8 @@ impl Marker for Prepared {
             Ok(readings) => readings,
             Err(why) => return Marking::unreadable(why),
         };
-        let is_sound = |shapes: &Shapes| self.fault(&shapes.vectors).is_none();
-        let first = readings.iter().position(is_sound).unwrap_or(0);
+        let mut faults = readings.iter().map(|shapes| self.fault(&shapes.vectors));
+        let first = faults.position(|fault| fault.is_none()).unwrap_or(0);
         let Shapes {
             reading,
             vectors: typed,

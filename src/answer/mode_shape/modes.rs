@@ -89,9 +89,8 @@ impl Modes {
             return Vec::new();
         };
         let highest = self.frequencies.iter().copied().fold(0.0, f64::max);
-        let is_alike = |place: &usize| (self.frequencies[*place] - own).abs() <= REPEATED * highest;
         (0..self.count())
-            .filter(is_alike)
+            .filter(|place| (self.frequencies[*place] - own).abs() <= REPEATED * highest)
             .map(|place| self.shapes[place].clone())
             .collect()
     }

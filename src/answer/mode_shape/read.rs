@@ -114,11 +114,11 @@ fn reading(key: &Prepared, entries: &[Expr], unit: Option<&Unit>, si: Vec<f64>) 
         .iter()
         .map(|entry| entry.typeset(&key.setup.lexicon));
     let mut math = typeset(&set.collect::<Vec<_>>(), width);
-    let vector = |row: &[Expr]| {
+    let vectors = entries.chunks(width.max(1)).map(|row| {
         let texts = row.iter().map(ToString::to_string);
         format!("[{}]", texts.collect::<Vec<_>>().join(", "))
-    };
-    let vectors: Vec<String> = entries.chunks(width.max(1)).map(vector).collect();
+    });
+    let vectors: Vec<String> = vectors.collect();
     let mut text = match &vectors[..] {
         [one] => one.clone(),
         many => format!("[{}]", many.join(", ")),
@@ -138,27 +138,24 @@ fn reading(key: &Prepared, entries: &[Expr], unit: Option<&Unit>, si: Vec<f64>) 
 /// The numbers of entries for these data.
 fn values(key: &Prepared, entries: &[Expr]) -> Option<Vec<f64>> {
     let mut room = Workspace::default();
-    let number = |entry: &Expr| {
+    let numbers = entries.iter().map(|entry| {
         let program = key.setup.meaning.compile(entry, &SortedMap::new()).ok()?;
         program.evaluate(&key.data[..], &mut room).ok()?.as_real()
-    };
-    entries.iter().map(number).collect()
+    });
+    numbers.collect()
 }
 
 /// The components of this many vectors one after the other: by rows, by columns, or in one row or column.
 fn arrangements(rows: &[Vec<Expr>], width: usize, count: usize) -> Vec<Vec<Expr>> {
     let columns = rows.first().map_or(0, Vec::len);
-    let by_columns = || -> Vec<Expr> {
-        let places = (0..columns).flat_map(|column| rows.iter().map(move |row| &row[column]));
-        places.cloned().collect()
-    };
     let mut arrangements = Vec::new();
     let is_line = rows.len() == 1 || columns == 1;
     if (rows.len(), columns) == (count, width) || is_line && rows.len() * columns == width * count {
         arrangements.push(rows.concat());
     }
     if (rows.len(), columns) == (width, count) && !is_line {
-        arrangements.push(by_columns());
+        let by_columns = (0..columns).flat_map(|column| rows.iter().map(move |row| &row[column]));
+        arrangements.push(by_columns.cloned().collect());
     }
     arrangements
 }

@@ -196,21 +196,14 @@ fn unclear<'s>(
     let is_led = sides
         .first()
         .is_some_and(|side| is_name(side) || is_step(side));
-    let is_clear = |side: &Part| {
+    let is_clear = |side: &Part| match (value(side), value(last)) {
         // `1/(iΩC)` has letters of the question, no ohm and coulomb.
-        let is_of_letters = |unit: &Option<Unit>| {
-            let is_misfit = |unit: &Unit| unit.dimension() != asked.dimension();
-            is_led && unit.as_ref().is_some_and(is_misfit)
-        };
-        is_name(side)
-            || match (value(side), value(last)) {
-                (Some((_, unit, _)), _) if is_of_letters(&unit) => true,
-                (Some((own, ..)), Some((other, ..))) => (own - other).abs() <= SHARE * other.abs(),
-                (None, _) => is_led && !values.goes_on_in_words(side),
-                _ => false,
-            }
+        (Some((_, Some(unit), _)), _) if is_led && unit.dimension() != asked.dimension() => true,
+        (Some((own, ..)), Some((other, ..))) => (own - other).abs() <= SHARE * other.abs(),
+        (None, _) => is_led && !values.goes_on_in_words(side),
+        _ => false,
     };
-    sides.iter().find(|side| !is_clear(side))
+    sides.iter().find(|side| !is_name(side) && !is_clear(side))
 }
 
 impl ComplexNumbers {

@@ -78,10 +78,9 @@ fn unranked(
     if pieces.len() > MAX_ITEMS {
         return Err(Why::MostNumbers(MAX_ITEMS).into());
     }
-    let first_of = |piece: &Part| values.statement(piece).sides[0].clone();
     let is_frequency = pieces
         .iter()
-        .map(first_of)
+        .map(|piece| values.statement(piece).sides[0].clone())
         .chain(labels.first().cloned())
         .any(|name| values.passage(&name).is_frequency());
     let mut items: Vec<(Option<u32>, TypedNumber)> = Vec::new();
@@ -114,9 +113,8 @@ fn unranked(
     }
     // Beside `14,82` the comma of `9,502` is a decimal sign, too: nobody writes both in one list.
     if values.has(&inner, ';') && values.has_decimal_comma(&inner) && mark == DecimalMark::Point {
-        let of_comma = |item: &TypedNumber| !item.is_by_rule && item.arithmetic.is_none();
         let all = items.iter_mut().map(|(_, item)| item);
-        all.filter(|item| of_comma(item))
+        all.filter(|item| !item.is_by_rule && item.arithmetic.is_none())
             .for_each(|item| item.others.clear());
     }
     let unit = unit.or_else(|| items.last().map(|(_, last)| last.quantity.unit));
@@ -164,12 +162,13 @@ fn pieces_of(
 ) -> Result<(Vec<Part>, bool), Unreadable> {
     // `[5 8.7]`; without brackets `5 8.7` alone is two numbers where two are asked, and `5 000` may be one.
     let is_list = |pieces: &Vec<Part>| {
-        let is_group = |piece: &Part| {
-            values
-                .passage(&values.without_unit(piece))
-                .is_group_of_digits()
-        };
-        is_framed || pieces.len() == count && !pieces.iter().skip(1).any(is_group)
+        let mut bare = pieces
+            .iter()
+            .skip(1)
+            .map(|piece| values.without_unit(piece));
+        is_framed
+            || pieces.len() == count
+                && !bare.any(|piece| values.passage(&piece).is_group_of_digits())
     };
     let spaced = values.spaced(inner).filter(is_list);
     // `5 / 8.7` is no quotient where two are asked.
@@ -297,11 +296,10 @@ pub(crate) fn mark_list(key: &Numbers, items: &[TypedNumber], is_ordered: bool) 
             Err(_) => return key.wrong_dimension(item),
         }
     }
-    let absurd = || typed.iter().find_map(|value| key.absurd(*value));
     let misread = items
         .iter()
         .find_map(|item| angles(&item.quantity.unit, &key.unit));
-    if let Some(why) = misread.or_else(absurd) {
+    if let Some(why) = misread.or_else(|| typed.iter().find_map(|value| key.absurd(*value))) {
         return Marking::unreadable(why);
     }
     let numbers: Vec<f64> = typed.iter().map(|value| value.hi()).collect();

@@ -151,20 +151,13 @@ impl Numbers {
         let is_inside = ends[0] - slack <= typed.hi() && typed.hi() <= ends[1] + slack;
         // Half a turn is π, which no decimal is: ends that are whole degrees are given so.
         let degree = Unit::degree();
-        let is_whole = |si: &f64| {
-            let degrees = degree.of_si(*si);
-            (degrees - degrees.round()).abs() < 1e-9
-        };
-        let unit = if ends.iter().all(is_whole) {
-            degree
-        } else {
-            self.unit
-        };
-        let quantity = |si: f64| {
+        let mut degrees = ends.iter().map(|si| degree.of_si(*si));
+        let are_whole = degrees.all(|own| (own - own.round()).abs() < 1e-9);
+        let unit = if are_whole { degree } else { self.unit };
+        let [low, high] = ends.map(|si| {
             let rounded = Decimal::rounded(unit.of_si(si), 4)?;
             Some(Quantity::new(Decimal::shortest(rounded.to_f64())?, unit))
-        };
-        let [low, high] = ends.map(quantity);
+        });
         (!is_inside).then_some(Slip::OutsideInterval(Box::new([low?, high?])))
     }
 
@@ -222,19 +215,17 @@ impl Numbers {
         items: &[TypedNumber],
         typed: &[Typed],
     ) -> Option<Marking> {
-        let is_it = |mistake: &&Mistake| match mistake.unit {
+        let found = self.mistakes.iter().find(|mistake| match mistake.unit {
             None => self.equals(mistake, typed),
             Some(unit) => {
-                let of =
-                    |item: &TypedNumber| Dd::from(Quantity::new(item.quantity.value, unit).si());
-                let numbers: Vec<Typed> = items.iter().map(of).collect();
-                let is_plain = |item: &TypedNumber| {
-                    item.quantity.unit.is_one() || item.quantity.unit == self.unit
-                };
-                items.iter().all(is_plain) && self.equals(mistake, &numbers)
+                let mut units = items.iter().map(|item| item.quantity.unit);
+                let numbers = items
+                    .iter()
+                    .map(|item| Dd::from(Quantity::new(item.quantity.value, unit).si()));
+                units.all(|own| own.is_one() || own == self.unit)
+                    && self.equals(mistake, &numbers.collect::<Vec<Typed>>())
             }
-        };
-        let found = self.mistakes.iter().find(is_it)?;
+        })?;
         Some(Marking::mistake(
             reading.clone(),
             found.number,
@@ -312,13 +303,13 @@ impl Numbers {
         };
         let others = vec![candidate(other, mark(other))];
         // Not so of another unit, as that of hertz after 2π; a bare number is in the unit that is asked.
-        let is_by_rule = |(own, other): (&TypedNumber, &TypedNumber)| {
+        let are_by_rule = items.iter().zip(other).all(|(own, other)| {
             let (own_unit, other_unit) = (own.quantity.unit, other.quantity.unit);
             own.others.is_empty()
                 || own.is_by_rule && own_unit == other_unit
                 || own_unit.is_one() && !other_unit.is_one() && !self.vanishes()
-        };
-        let rule = if items.iter().zip(other).all(is_by_rule) {
+        });
+        let rule = if are_by_rule {
             Rule::Stated
         } else {
             Rule::None
@@ -570,14 +561,9 @@ impl Marker for Numbers {
 /// Arithmetic in which angles of arcs are terms, `180 - atan(2)`, with these in degrees as the numbers beside them are.
 fn in_degrees(arithmetic: &Expr) -> Option<TypedNumber> {
     fn turned(expr: &Expr) -> Option<Expr> {
-        let is_arc = |function: &Function| {
-            matches!(
-                function,
-                Function::Asin | Function::Acos | Function::Atan | Function::Atan2
-            )
-        };
+        use Function::{Acos, Asin, Atan, Atan2};
         Some(match expr.kind() {
-            Kind::Call(function, _) if is_arc(function) => {
+            Kind::Call(Asin | Acos | Atan | Atan2, _) => {
                 expr.clone() * Expr::number(180) / Expr::constant(Constant::Pi)
             }
             Kind::Negate(inner) => -turned(inner)?,

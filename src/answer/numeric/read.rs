@@ -120,11 +120,11 @@ impl TypedNumber {
     fn agreeing(&self, step: &Self) -> Option<Self> {
         // `2π · 2 Hz = 12.57 rad/s`
         let in_radians = step.in_radians();
-        let is_it = |own: &&Self| {
+        let agreeing = self.readings().filter(|own| {
             let mut readings = step.readings().chain(&in_radians);
             readings.any(|step| are_equal(own, step))
-        };
-        let mut agreeing = self.readings().filter(is_it).cloned();
+        });
+        let mut agreeing = agreeing.cloned();
         let first = agreeing.next()?;
         Some(Self {
             others: agreeing.collect(),
@@ -313,12 +313,11 @@ fn said_once(
     may_repeat: bool,
     setting: Setting<'_>,
 ) -> Option<TypedNumber> {
-    let read = |part: &Part| {
-        statement(values, part, setting)
-            .ok()
-            .filter(|number| number.others.is_empty())
-    };
-    let mut numbers: Vec<TypedNumber> = statements.iter().map(read).collect::<Option<_>>()?;
+    let numbers = statements.iter().map(|part| {
+        let number = statement(values, part, setting).ok();
+        number.filter(|number| number.others.is_empty())
+    });
+    let mut numbers: Vec<TypedNumber> = numbers.collect::<Option<_>>()?;
     // The unit may be said with one of them, `x = 5, x = 5 mm`.
     let mut units = numbers.iter().map(|number| number.quantity.unit);
     let unit = units.find(|unit| !unit.dimension().is_pure());
@@ -408,7 +407,6 @@ pub(crate) fn statement(
     for (at, side) in others.filter(|(at, side)| *at != value && !is_name(*at, side)) {
         let is_step = 0 < at && at < value;
         let is_between = is_step && is_named;
-        let in_letters = || at < value && setting.is_step_in_letters(values.passage(side));
         let step = values.amount_of_step(side).ok();
         let step = step.as_ref().and_then(TypedNumber::of);
         let step = step.or_else(|| TypedNumber::of_product(values.passage(side)));
@@ -432,7 +430,7 @@ pub(crate) fn statement(
                 return Err(Why::UnequalSides(one.short(), other.short()).into());
             }
             None if is_between && !values.goes_on_in_words(side) => {}
-            None if in_letters() => {}
+            None if at < value && setting.is_step_in_letters(values.passage(side)) => {}
             None if number.quantity.value.is_zero() && setting.vanishes(values.passage(side)) => {}
             None => {
                 return Err(Unreadable::at(
@@ -547,8 +545,8 @@ pub(crate) fn counts(
         let values = Values::read(response, style).ok();
         let difference = values.and_then(|values| values.amount_of_step(&values.all()).ok());
         let difference = difference.as_ref().and_then(TypedNumber::of);
-        let is_descending = |own: &TypedNumber| own.quantity.value.to_f64() > 0.0;
-        difference.filter(is_descending).ok_or(why)
+        let descending = difference.filter(|own| own.quantity.value.to_f64() > 0.0);
+        descending.ok_or(why)
     })?;
     let others = read.others.iter().map(|other| other.quantity);
     Ok((read.quantity, others.collect()))
@@ -602,8 +600,7 @@ fn are_equal(one: &TypedNumber, other: &TypedNumber) -> bool {
     let (a, b) = (&one.quantity, &other.quantity);
     let (place, other_place) = (last_place(one), last_place(other));
     let are_bare = a.unit.is_one() || b.unit.is_one();
-    let is_same_number = || are_near(a.value.to_f64(), b.value.to_f64(), place.max(other_place));
-    are_bare && is_same_number()
+    are_bare && are_near(a.value.to_f64(), b.value.to_f64(), place.max(other_place))
         || b.conversion(&a.unit).is_ok_and(|conversion| {
             let places = a.unit.to_si(place).max(conversion.apply(other_place));
             are_near(a.si(), conversion.apply_decimal(&b.value), places)

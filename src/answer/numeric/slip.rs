@@ -24,11 +24,9 @@ pub(crate) fn slip(key: &Numbers, typed: &[Typed], unit: &Unit) -> Option<Slip> 
     };
     // Of a large number little is left within a turn, and that fits by chance.
     let fits_within_turn = |factor: f64| {
-        let is_within = |typed: &Typed| {
-            key.modulo
-                .is_none_or(|period| (typed.hi() * factor).abs() <= period)
-        };
-        typed.iter().all(is_within) && fits(factor)
+        let mut sizes = typed.iter().map(|typed| (typed.hi() * factor).abs());
+        let turn = key.modulo;
+        sizes.all(|size| turn.is_none_or(|turn| size <= turn)) && fits(factor)
     };
     let counts = key.unit.dimension() == Dimension::TIME.inverse();
     if counts && (fits(TAU) || fits(1.0 / TAU)) {
@@ -51,8 +49,8 @@ pub(crate) fn slip(key: &Numbers, typed: &[Typed], unit: &Unit) -> Option<Slip> 
     if is_percent {
         return Some(Slip::PowerOfTen(Decades::Percent));
     }
-    let fits_ten = |power| fits(powi(10.0, power)) || fits(powi(10.0, -power));
-    if key.modulo.is_none() && (1..=9).any(fits_ten) {
+    let mut factors = (1..=9).flat_map(|power| [powi(10.0, power), powi(10.0, -power)]);
+    if key.modulo.is_none() && factors.any(fits) {
         return Some(Slip::PowerOfTen(Decades::Prefix));
     }
     if let ([target], [typed]) = (&key.targets[..], typed)
@@ -65,8 +63,7 @@ pub(crate) fn slip(key: &Numbers, typed: &[Typed], unit: &Unit) -> Option<Slip> 
 
 /// Where a factor 2π slipped.
 fn two_pi(asked: &Unit, typed: &Unit) -> TwoPi {
-    let is_angular = |unit: &Unit| unit.has_factor("rad");
-    let is_frequency = |unit: &Unit| is_angular(unit) || unit.counts_cycles();
+    let is_frequency = |unit: &Unit| unit.has_factor("rad") || unit.counts_cycles();
     if is_frequency(asked) || !is_frequency(typed) {
         return TwoPi::Number;
     }

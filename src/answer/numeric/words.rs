@@ -11,11 +11,10 @@ pub(crate) fn meant(typed: &Unit, asked: &Unit) -> Option<Unit> {
         let unit = Unit::read(text).ok()?;
         (unit.dimension() == asked.dimension() && !unit.is_one()).then_some(unit)
     };
-    let spaced = || {
+    fits(&text.to_ascii_lowercase()).or_else(|| {
         let mut runs = [("ms", "m·s"), ("rad⁻", "rad·s⁻")].into_iter();
         runs.find_map(|(run, meant)| fits(&text.replace(run, meant)))
-    };
-    fits(&text.to_ascii_lowercase()).or_else(spaced)
+    })
 }
 
 /// What is wrong with grams where an acceleration is asked.

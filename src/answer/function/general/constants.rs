@@ -19,7 +19,7 @@ enum ConstantRole {
 
 /// The number of initial states, of positions and velocities, that the constants can vary independently: those of
 /// the real and of the imaginary part together.
-pub(crate) fn rank<'s>(key: &Prepared, solutions: &'s [TypedSolution]) -> Option<usize> {
+pub(crate) fn rank(key: &Prepared, solutions: &[TypedSolution]) -> Option<usize> {
     // About the cube root of the unit roundoff, the best step of a central difference.
     const STEP: f64 = 1e-5;
     let (mut draws, mut room) = (Draws::new(), Workspace::default());
@@ -35,24 +35,23 @@ pub(crate) fn rank<'s>(key: &Prepared, solutions: &'s [TypedSolution]) -> Option
         .map_or(1.0, |(frequency, _)| frequency.max(f64::MIN_POSITIVE));
     let mut state = |constants: &[f64]| -> Option<Vec<f64>> {
         let point = key.point(constants, 0.0);
-        let of_each = |solution: &'s TypedSolution| {
-            let TypedSolution {
-                positions,
-                velocities,
-                ..
-            } = solution;
-            let positions = positions.iter().map(|program| (program, 1.0));
-            positions.chain(velocities.iter().map(|program| (program, rate)))
-        };
         solutions
             .iter()
-            .flat_map(of_each)
+            .flat_map(|solution| {
+                let TypedSolution {
+                    positions,
+                    velocities,
+                    ..
+                } = solution;
+                let positions = positions.iter().map(|program| (program, 1.0));
+                positions.chain(velocities.iter().map(|program| (program, rate)))
+            })
             .map(|(program, unit)| Some(program.evaluate_real(&point[..], &mut room).ok()? / unit))
             .collect()
     };
     let mut basis: Vec<Vec<f64>> = Vec::new();
-    let is_used = |place: &usize| solutions.iter().any(|own| own.used.contains(place));
-    for place in (0..constants.len()).filter(is_used) {
+    let places = 0..constants.len();
+    for place in places.filter(|at| solutions.iter().any(|own| own.used.contains(at))) {
         let mut moved = constants.clone();
         moved[place] += STEP;
         let after = state(&moved)?;
@@ -90,14 +89,13 @@ pub(crate) fn are_factors_and_phases(key: &Prepared, solution: &TypedSolution) -
         constants.map(|_| 1.0 + 0.5 * draws.signed()).collect()
     };
     let (constants, others) = (draw(), draw());
-    let role = |place: usize| {
+    let roles = (0..constants.len()).map(|place| {
         if solution.used.contains(&place) {
             role_of(key, solution, &constants, place)
         } else {
             Some(ConstantRole::Factor)
         }
-    };
-    let roles = (0..constants.len()).map(role);
+    });
     let Some(roles) = roles.collect::<Option<Vec<ConstantRole>>>() else {
         return false;
     };

@@ -92,7 +92,7 @@ impl Prepared {
             }
             sum
         };
-        let both = |place: usize| {
+        let both = (0..setup.coordinates.len()).map(|place| {
             let formula = component(place);
             let math = Math::row([
                 setup.symbols[place].clone(),
@@ -100,8 +100,8 @@ impl Prepared {
                 formula.typeset(&setup.lexicon),
             ]);
             (math, format!("{} = {formula}", setup.coordinates[place]))
-        };
-        (0..setup.coordinates.len()).map(both).collect()
+        });
+        both.collect()
     }
 }
 

@@ -83,12 +83,11 @@ pub(crate) fn read(
         .collect();
     let mut meaning = Meaning::of(declare, Prefer::Coordinates);
     let allowed = Allowed::read(part, declare, None, true)?;
-    let is_moving = |letter: &Expr| match letter.kind() {
-        Kind::Name(name) => allowed.lexicon.is_moving(name),
-        _ => false,
-    };
     let mut letters = allowed.letters();
-    letters.retain(|letter| !is_moving(letter));
+    letters.retain(|letter| match letter.kind() {
+        Kind::Name(name) => !allowed.lexicon.is_moving(name),
+        _ => true,
+    });
     let mut lexicon = allowed.lexicon;
     let listed = part.texts("in");
     // What is neither printed nor needed is free to be used.
@@ -110,14 +109,9 @@ pub(crate) fn read(
     });
     let all = numbered.chain(DOUBLED.split_whitespace().map(str::to_owned));
     // `w1` stays ω₁. All are asked for before any is added: what people type is made out anew for each lexicon.
-    let is_spelling = |name: &Name| {
-        lexicon
-            .reads(name.as_str())
-            .is_some_and(|own| *own != *name)
-    };
-    let free = all
-        .map(Name::new)
-        .filter(|name| !is_taken(name) && !is_spelling(name));
+    let free = all.map(Name::new).filter(|name| {
+        !is_taken(name) && lexicon.reads(name.as_str()).is_none_or(|own| *own == *name)
+    });
     let mut constants: Vec<Name> = free.collect();
     let doubtful = Name::new(DOUBTFUL);
     let is_free = !is_taken(&doubtful) && lexicon.reads(DOUBTFUL).is_none();

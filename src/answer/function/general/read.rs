@@ -3,7 +3,7 @@
 use super::complex::phases;
 use super::{DOUBTFUL, Setup};
 use crate::answer::{Unreadable, Why};
-use crate::expr::{Expr, Name};
+use crate::expr::Expr;
 use crate::math::Math;
 use crate::response::{Lexicon, Manner, Passage};
 
@@ -15,9 +15,8 @@ pub(crate) fn read(setup: &Setup, response: Passage<'_>) -> Result<Vec<Expr>, Un
             let lexicon = setup.with_doubtful.as_ref()?;
             let typed = read_in(setup, response, Manner::REAL, lexicon).ok()?;
             // In an exponent or a phase it is the imaginary unit.
-            let is_doubtful = |name: &Name| name.as_str() == DOUBTFUL;
-            let turns = |own: &Expr| phases(own).iter().any(is_doubtful);
-            (!typed.iter().any(turns)).then_some(typed)
+            let mut phases = typed.iter().flat_map(phases);
+            (!phases.any(|name| name.as_str() == DOUBTFUL)).then_some(typed)
         };
         let complex = || read_in(setup, response, Manner::COMPLEX, &setup.lexicon).ok();
         let other = may_be_complex.then(|| constant().or_else(complex));
@@ -74,11 +73,10 @@ fn named(
     lexicon: &Lexicon,
 ) -> Result<Option<usize>, Unreadable> {
     let typed = left.formula(lexicon, manner);
-    let is_typed = |name: &Name| {
+    let place = setup.coordinates.iter().position(|name| {
         let typed = typed.as_ref().map(|typed| &typed.value);
         typed.is_ok_and(|typed| *typed == Expr::name(name.clone()))
-    };
-    let place = setup.coordinates.iter().position(is_typed);
+    });
     let time = ["t".to_owned()];
     if place.is_none() && !left.is_empty() && !left.is_free_letter(&time) {
         let asked = setup.symbols.first().map_or_else(String::new, Math::plain);

@@ -53,10 +53,9 @@ impl TypedSolution {
             return Err(Why::TooLong.into());
         }
         let real: Vec<Expr> = parts.iter().map(|own| own.real.clone()).collect();
-        let zero = || Expr::number(0);
         let imaginary: Vec<Expr> = parts
             .into_iter()
-            .map(|own| own.imaginary.unwrap_or_else(zero))
+            .map(|own| own.imaginary.unwrap_or_else(|| Expr::number(0)))
             .collect();
         let mut solutions = vec![solution(&real)?];
         if !imaginary.iter().all(Expr::is_zero) {
@@ -77,30 +76,26 @@ impl TypedSolution {
                 }
             });
         }
-        let all = |exprs: Vec<Expr>, replaced| -> Option<Vec<Program>> {
+        let all = |exprs: &[Expr], replaced| -> Option<Vec<Program>> {
             exprs
                 .iter()
                 .map(|expr| setup.meaning.compile(expr, replaced).ok())
                 .collect()
         };
-        let differences = || {
-            setup
-                .equations
-                .iter()
-                .map(Equation::difference)
-                .collect::<Vec<_>>()
-        };
+        let differences: Vec<Expr> = setup.equations.iter().map(Equation::difference).collect();
         let rates = |order| {
-            let of = |name: &Name| Expr::name(name.clone()).prime(order);
-            setup.coordinates.iter().map(of).collect::<Vec<_>>()
+            let names = setup.coordinates.iter().cloned();
+            names
+                .map(|name| Expr::name(name).prime(order))
+                .collect::<Vec<_>>()
         };
         Some(Self {
             used: used(setup, typed),
-            positions: all(typed.to_vec(), &none)?,
-            velocities: all(rates(1), &replaced)?,
-            accelerations: all(rates(2), &replaced)?,
-            residuals: all(differences(), &replaced)?,
-            bare: all(differences(), &none)?,
+            positions: all(typed, &none)?,
+            velocities: all(&rates(1), &replaced)?,
+            accelerations: all(&rates(2), &replaced)?,
+            residuals: all(&differences, &replaced)?,
+            bare: all(&differences, &none)?,
             rounding,
         })
     }
@@ -109,11 +104,11 @@ impl TypedSolution {
 /// The constants that occur in a response, as places.
 pub(crate) fn used(setup: &Setup, typed: &[Expr]) -> Vec<usize> {
     let names: Vec<_> = typed.iter().map(Expr::names).collect();
-    let is_used = |place: &usize| {
+    let used = (0..setup.constants.len()).filter(|place| {
         let mut names = names.iter();
         names.any(|names| names.uses(&setup.constants[*place]))
-    };
-    (0..setup.constants.len()).filter(is_used).collect()
+    });
+    used.collect()
 }
 
 /// The share of a number by which rounding moved it at most, half a unit of its last decimal; at least that of four
@@ -124,12 +119,11 @@ fn rounding_of(value: Rational) -> f64 {
         return 0.0;
     }
     let number = value.to_f64().abs();
-    let is_decimal = |places: &i32| {
-        let shifted = number * crate::numerics::powi(10.0, *places);
-        (shifted - shifted.round()).abs() <= 1e-9 * shifted
-    };
     let places = (1..=MOST_DECIMALS)
-        .find(is_decimal)
+        .find(|places| {
+            let shifted = number * crate::numerics::powi(10.0, *places);
+            (shifted - shifted.round()).abs() <= 1e-9 * shifted
+        })
         .unwrap_or(MOST_DECIMALS);
     let half = 0.5 * crate::numerics::powi(10.0, -places);
     (half / number).clamp(0.0005, 0.005)
