@@ -2,9 +2,10 @@
 
 use std::ops::Range;
 
+use super::dimension::Dimension;
 use super::error::{Error, ErrorKind};
 use super::nearest::unknown;
-use super::table::{Found, PREFIXES, ROWS, bare_symbol, symbol, word};
+use super::table::{Found, PREFIXES, ROWS, Turning, bare_symbol, symbol, word};
 
 /// The most units that are written together.
 const MAX_COUNT: usize = 4;
@@ -29,7 +30,7 @@ impl Joined {
     fn with(mut self, found: Found) -> Option<Self> {
         // Nobody writes `mm` for square metres.
         let is_repeated = self.iter().any(|known| known.row == found.row);
-        // Inside, a prefix is at home with metres, seconds and the kilogram only: `mps` is not a picosecond.
+        // Inside, a prefix is at home with metres, seconds and the kilogram only: `Nps` is not a picosecond.
         let is_odd = self.length > 0 && !is_plain(found);
         if is_repeated || is_odd {
             return None;
@@ -115,12 +116,17 @@ pub(crate) fn units(name: &str, span: Range<usize>) -> Result<Joined, Error> {
         };
         return Err(Error::new(kind, span));
     }
+    // `Nsec`; in `radsec` a slash was forgotten.
+    let glued = name
+        .strip_suffix("sec")
+        .filter(|head| !measures_way(head))
+        .map(|head| format!("{head}s"));
     let mut search = CutSearch {
         best: None,
         rival: None,
     };
     if name.len() <= MAX_LENGTH {
-        search.split(name, Joined::NONE);
+        search.split(glued.as_deref().unwrap_or(name), Joined::NONE);
     }
     match (search.best, search.rival) {
         (None, _) => Err(unknown(name, span)),
@@ -134,6 +140,19 @@ pub(crate) fn units(name: &str, span: Range<usize>) -> Result<Joined, Error> {
             Err(Error::new(kind, span))
         }
     }
+}
+
+/// What is counted per second in `mps` and `radps`: a length or an angle.
+pub(crate) fn per_second(name: &str) -> Option<&str> {
+    name.strip_suffix("ps").filter(|head| measures_way(head))
+}
+
+/// Whether this is the symbol of a length or an angle.
+fn measures_way(name: &str) -> bool {
+    symbol(name).is_some_and(|found| {
+        let row = &ROWS[usize::from(found.row)];
+        row.dimension == Dimension::LENGTH || row.turning == Turning::Radians
+    })
 }
 
 /// `KN`, `Khz`: a kilo that should be small. Kelvin stands alone.

@@ -18,6 +18,7 @@ use super::product::Unit;
 use super::rational::Rational;
 use super::scanner::Scanner;
 use super::strict::{MAX_LENGTH, is_letter};
+use super::table::is_prefix_word;
 
 /// The deepest nesting of parentheses.
 const MAX_DEPTH: usize = 8;
@@ -351,8 +352,27 @@ impl<'a> UnitReader<'a> {
                 ErrorKind::UnitMissing
             }));
         }
+        if is_prefix_word(name)
+            && let Some(unit) = self.apart()
+        {
+            self.units(&format!("{name}{unit}"), start)?;
+            return Ok(unit);
+        }
         self.units(name, start)?;
         Ok(name)
+    }
+
+    /// The letters after a prefix in words that stands apart, `milli meters`, `milli-J`.
+    fn apart(&mut self) -> Option<&'a str> {
+        let mut ahead = self.scanner;
+        ahead.takes('-');
+        ahead.space();
+        let unit = ahead.run(is_letter);
+        let is_unit = !unit.is_empty();
+        if is_unit {
+            self.scanner = ahead;
+        }
+        is_unit.then_some(unit)
     }
 
     /// The units after `\mu`, `\mu m` or `\mu\mathrm{m}`; returns their letters.
@@ -372,6 +392,13 @@ impl<'a> UnitReader<'a> {
 
     /// Adds the units that a run of letters is.
     fn units(&mut self, name: &str, start: usize) -> Result<(), Error> {
+        if let Some(above) = joined::per_second(name) {
+            self.units(above, start)?;
+            let below = self.builder.len();
+            self.units("s", start)?;
+            self.builder.divide(below);
+            return Ok(());
+        }
         let span = start..self.scanner.at();
         for found in joined::units(name, span.clone())?.iter() {
             self.builder

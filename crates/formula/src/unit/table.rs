@@ -94,7 +94,7 @@ const NOT: bool = false;
 #[rustfmt::skip]
 pub(crate) static ROWS: &[UnitRow] = &[
     //   symbols                 print  French             words                                             kg  m  s   A  K mol cd     2   3   5  g  pi          prefixes joins coherent
-    row(&["m"],                  "m",   "mètre",           &["metre", "metres", "meter", "meters", "mètre", "mètres", "metro", "metros"], [ 0,  1,  0,  0, 0, 0, 0], [ 0,  0,  0, 0, 0], Still,   YES, YES, ""),
+    row(&["m"],                  "m",   "mètre",           &["metre", "metres", "meter", "meters", "mètre", "mètres", "metro", "metros", "mtr", "mtrs"], [ 0,  1,  0,  0, 0, 0, 0], [ 0,  0,  0, 0, 0], Still,   YES, YES, ""),
     row(&["s"],                  "s",   "seconde",         &["second", "seconds", "sec", "secs", "seconde", "secondes", "sek", "sekunde", "sekunden", "seg", "segundo", "segundos"], [ 0,  0,  1,  0, 0, 0, 0], [ 0,  0,  0, 0, 0], Still,   YES, YES, ""),
     row(&["g"],                  "g",   "gramme",          &["gram", "grams", "gramme", "grammes", "gr"],    [ 1,  0,  0,  0, 0, 0, 0], [-3,  0, -3, 0, 0], Still,   YES, YES, "kg"),
     row(&["rad"],                "rad", "radian",          &["radian", "radians", "rads", "rad", "rd", "radiant", "radiants", "radianes"], [ 0,  0,  0,  0, 0, 0, 0], [ 0,  0,  0, 0, 0], Radians, YES, YES, ""),
@@ -295,30 +295,36 @@ pub(crate) fn word(text: &str) -> Option<Found> {
     if let Some(row) = row_of_word(text, false) {
         return Some(Found { row, prefix: 0 });
     }
-    // `msec`, `µsec`.
-    if let Some(head) = text.strip_suffix("secs").or(text.strip_suffix("sec"))
-        && let Some(prefix) = PREFIXES
-            .iter()
-            .find(|prefix| prefix.symbols.contains(&head))
-    {
-        return row_of_word("sec", true).map(|row| Found {
-            row,
-            prefix: prefix.power,
-        });
-    }
     PREFIXES.iter().find_map(|prefix| {
-        let head = text
-            .get(..prefix.word.len())
-            .filter(|head| head.eq_ignore_ascii_case(prefix.word))?;
-        // `microF`
-        let rest = &text[head.len()..];
-        let symbol = || bare_symbol(rest).filter(|row| ROWS[usize::from(*row)].prefixes);
-        let row = row_of_word(rest, true).or_else(symbol)?;
+        let row = match text.get(..prefix.word.len()) {
+            Some(head) if head.eq_ignore_ascii_case(prefix.word) => {
+                // `microF`
+                let rest = &text[head.len()..];
+                let symbol = || bare_symbol(rest).filter(|row| ROWS[usize::from(*row)].prefixes);
+                row_of_word(rest, true).or_else(symbol)
+            }
+            _ => None,
+        };
+        // `msec`, `mAmp`
+        let mut symbols = prefix.symbols.iter();
+        let mixed = || {
+            let rest = symbols.find_map(|symbol| text.strip_prefix(symbol))?;
+            row_of_word(rest, true).filter(|_| rest.len() >= MIN_MIXED)
+        };
         Some(Found {
-            row,
+            row: row.or_else(mixed)?,
             prefix: prefix.power,
         })
     })
+}
+
+/// The shortest word after the symbol of a prefix: `mhz` may be MHz with capitals forgotten.
+const MIN_MIXED: usize = 3;
+
+/// Whether a run of letters is a prefix in words, `milli`, in any case.
+pub(crate) fn is_prefix_word(text: &str) -> bool {
+    let mut prefixes = PREFIXES.iter();
+    prefixes.any(|prefix| prefix.word.eq_ignore_ascii_case(text))
 }
 
 /// The row of a unit by its word.

@@ -3,7 +3,7 @@ use proptest::prelude::*;
 use super::*;
 
 /// What is typed, and what files would have; the catalogue of notations that students use.
-const READINGS: [(&str, &str); 103] = [
+const READINGS: [(&str, &str); 116] = [
     ("", "1"),
     ("1", "1"),
     ("N·m/rad", "N m/rad"),
@@ -107,6 +107,19 @@ const READINGS: [(&str, &str); 103] = [
     ("kg^-1/2", "kg^(-1/2)"),
     ("s ^ -1", "s^-1"),
     ("[N/m]", "N/m"),
+    ("milli meters", "mm"),
+    ("Milli-J", "mJ"),
+    ("milli N s/m", "mN s/m"),
+    ("micro seconds squared", "us^2"),
+    ("kilo newton metres", "kN m"),
+    ("mAmp", "mA"),
+    ("msec", "ms"),
+    ("kOhm", "kohm"),
+    ("Nsec/m", "N s/m"),
+    ("kNmsec", "kN m s"),
+    ("mtr", "m"),
+    ("mps", "m/s"),
+    ("radps", "rad/s"),
 ];
 
 #[test]
@@ -132,7 +145,15 @@ fn asks_back_where_the_meaning_is_not_clear() {
             "a product after a slash may belong above or below it",
         ),
         ("kgs", "kgs", "`kgs` has more than one meaning"),
-        ("mps", "mps", "`mps` is not a known unit"),
+        ("mph", "mph", "`mph` is not a known unit"),
+        ("radsec", "radsec", "`radsec` is not a known unit"),
+        ("mhz", "mhz", "`mhz` is not a known unit"),
+        ("milli", "milli", "`milli` is not a known unit"),
+        (
+            "milli hours",
+            "milli hours",
+            "`millihours` is not a known unit",
+        ),
         ("furlong", "furlong", "`furlong` is not a known unit"),
         ("N/", "", "a unit is missing"),
         ("(N", "", "a parenthesis without its partner"),
