@@ -262,12 +262,15 @@ impl Naming {
         } else {
             label.without_frame()
         };
-        match self.reads(bare).as_ref().map(expr::Expr::kind) {
+        let formula = self.reads(bare);
+        match formula.as_ref().map(expr::Expr::kind) {
             Some(expr::Kind::Name(name)) => {
                 self.others.contains(name) && !self.is_letter_of_matrix(bare)
             }
-            // `K^2`
-            Some(_) if self.is_matrix => true,
+            // `a0 M + a1 K` is a step, `K - ω² M` where K is asked and `K^2` are others.
+            Some(kind) if self.is_matrix => {
+                !is_sum(kind) || formula.as_ref().is_some_and(|own| self.is_of_key(own))
+            }
             // `u^{(2)}` is the shape of that mode.
             Some(expr::Kind::Prime(of, mode)) if self.is_shape => {
                 self.is_asked(of) && !self.is_of_mode(u32::from(*mode))
@@ -349,6 +352,12 @@ impl Naming {
             && factors.iter().all(|own| is_asked(*own) || is_factor(own))
             && factors.iter().any(is_factor)
     }
+}
+
+/// Whether a formula is a sum or a difference.
+fn is_sum(formula: &expr::Kind) -> bool {
+    use expr::Operator::{Add, Subtract};
+    matches!(formula, expr::Kind::Binary(Add | Subtract, ..))
 }
 
 /// Whether a formula is a quotient of several names, `m2/m1`.

@@ -8,6 +8,15 @@ use vibank_source::Span;
 const MAX_SIZE: usize = 20;
 /// What programs call the identity matrix, the longer names before those with which they begin.
 const CALLS: [&str; 5] = ["IdentityMatrix", "identity", "Identity", "eye", "Id"];
+/// Its names in words, the longer ones before those that they hold.
+const NAMES: [&str; 6] = [
+    "the identity matrix",
+    "the unit matrix",
+    "identity matrix",
+    "unit matrix",
+    "the identity",
+    "identity",
+];
 /// Commands of LaTeX for the face of its letter.
 const FACES: [&str; 7] = [
     "\\mathbb",
@@ -30,7 +39,13 @@ pub(crate) fn identity_in(
     lexicon: &Lexicon,
 ) -> Option<(Span, usize)> {
     let text = &text[piece.range()];
-    let (start, length, rows) = called(text).or_else(|| {
+    let named = || {
+        let (name, at) = NAMES
+            .iter()
+            .find_map(|name| Some((name, text.find(name)?)))?;
+        Some((at, name.len(), rows))
+    };
+    let (start, length, rows) = called(text).or_else(named).or_else(|| {
         let places = text.char_indices().map(|(at, _)| at);
         let mut found =
             places.filter_map(|at| Some((at, letter_at(text, at, rows, lexicon)?, rows)));

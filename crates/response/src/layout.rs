@@ -220,7 +220,9 @@ fn environments(plain: &mut String) {
 
 /// A list with semicolons for the ends of lines between its rows, whose entries semicolons may part as well.
 fn rows_by_line(text: &str) -> String {
-    let text = barred_rows(text).unwrap_or_else(|| text.to_owned());
+    let text = barred_rows(text)
+        .or_else(|| rows_by_comma(text))
+        .unwrap_or_else(|| text.to_owned());
     let ends = |at: usize| {
         let is_blank = text[at + 1..].trim_start_matches(' ').starts_with('\n');
         if is_blank {
@@ -245,6 +247,27 @@ fn rows_by_line(text: &str) -> String {
         char => char,
     });
     signs.collect()
+}
+
+/// Rows of equal length in one pair of brackets whose lines end with commas, `[a, b,\n c, d]`, with semicolons for
+/// these; nothing where a row has brackets of its own.
+fn rows_by_comma(text: &str) -> Option<String> {
+    let list = text[text.find('=').map_or(0, |label| label + 1)..].trim();
+    let inner = list.strip_prefix(['[', '(']).unwrap_or(list);
+    let lines: Vec<&str> = inner.trim_end().split('\n').map(str::trim_end).collect();
+    let (last, rows) = lines.split_last()?;
+    let count = |row: &str| row.split(',').count();
+    let is_row = |row: &&str| {
+        row.strip_suffix(',')
+            .is_some_and(|row| count(row) == count(last))
+    };
+    let is_it = count(last) > 1 && !rows.is_empty() && rows.iter().all(is_row);
+    let row = |line: &str| match line.trim_end().strip_suffix(',') {
+        Some(row) => format!("{row};{}", &line[row.len() + 1..]),
+        None => line.to_owned(),
+    };
+    let rows = || text.split('\n').map(row).collect::<Vec<_>>().join("\n");
+    (is_it && !inner.contains(['[', ';', '&'])).then(rows)
 }
 
 /// Rows between bars, as programs draw them, in brackets, behind a symbol and an equals sign; nothing where not all lines
