@@ -57,6 +57,7 @@ impl Folder<'_> {
     /// A word that is a letter elsewhere, `y` and `e` between two values, `in` before a unit that ends the response.
     pub(crate) fn word_of_list(&self) -> Option<(usize, &'static str)> {
         let before = self.typed[self.answer.start..self.at].strip_suffix(' ')?;
+        let before = before.strip_suffix(',').unwrap_or(before);
         let rest = &self.typed[self.at..self.answer.end];
         let (word, plain, between) = LETTERS.iter().find(|(word, ..)| {
             let behind = rest.strip_prefix(word);

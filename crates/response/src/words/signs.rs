@@ -174,9 +174,10 @@ pub(crate) enum Between {
     Unit,
 }
 
-/// Words that are letters elsewhere, with what they stand for and where.
+/// Words that are letters or mean nothing elsewhere, with what they stand for and where.
 pub(crate) const LETTERS: &[(&str, &str, Between)] = &[
     ("y", "and", Between::Values),
+    ("then", "and", Between::Values),
     ("e", "and", Between::Decimals),
     ("in", " ", Between::Unit),
 ];
