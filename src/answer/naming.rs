@@ -275,14 +275,24 @@ impl Naming {
             Some(expr::Kind::Prime(of, mode)) if self.is_shape => {
                 self.is_asked(of) && !self.is_of_mode(u32::from(*mode))
             }
-            // `omega'`
-            Some(expr::Kind::Prime(of, _)) if self.is_asked(of) => true,
+            // `omega'`, which is the damped frequency for some
+            Some(expr::Kind::Prime(of, order)) if self.is_asked(of) => {
+                *order != 1 || !self.is_damped(of)
+            }
             // `T_n`, `K11`
             _ => {
                 let mut customary = self.customary.iter();
                 customary.any(|letter| bare.has_letter(letter)) || self.is_made_of_asked(bare)
             }
         }
+    }
+
+    /// Whether the damped frequency ω_d is asked, and this is its letter alone.
+    fn is_damped(&self, letter: &expr::Expr) -> bool {
+        let mut asked = self.asked.iter().map(|own| parted(own.as_str()));
+        let is_name =
+            |own: &str| matches!(letter.kind(), expr::Kind::Name(name) if name.as_str() == own);
+        asked.any(|(own, index)| own == "omega" && index == "d" && is_name(own))
     }
 
     /// Whether a label is the letter of which a power is asked, `ω` where ω² is.

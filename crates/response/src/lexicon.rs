@@ -151,7 +151,8 @@ impl Lexicon {
     }
 
     fn words(&self) -> &Words {
-        self.words.get_or_init(|| Words::of(&self.entries))
+        self.words
+            .get_or_init(|| Words::of(&self.entries, &self.symbols))
     }
 
     /// The name that a word is read as, also in another spelling: ω₁ for `w1`.
@@ -284,7 +285,7 @@ impl Lexicon {
         end: usize,
         ending: Ending,
     ) -> Option<Vec<WordPiece>> {
-        let words = || Words::in_any_case(&self.entries);
+        let words = || Words::in_any_case(&self.entries, &self.symbols);
         let words = self.in_any_case.get_or_init(words);
         words.split(letters, end, ending, false).ok()
     }

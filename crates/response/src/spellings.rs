@@ -6,11 +6,14 @@ use super::signs::is_digit;
 use vibank_formula::expr::Name;
 use vibank_notation::{Math, symbol};
 
-/// Greek letters as people shorten them, or with the letter that looks alike; the likelier ones first.
-const SHORTENED: [(&str, &str); 7] = [
+/// Greek letters as people shorten them, or with the letter that looks alike or that other books have; the likelier ones
+/// first.
+const SHORTENED: [(&str, &str); 9] = [
     ("omega", "w"),
     ("omega", "om"),
+    ("Omega", "W"),
     ("Omega", "Om"),
+    ("zeta", "xi"),
     ("theta", "th"),
     ("theta", "teta"),
     ("theta", "thetha"),

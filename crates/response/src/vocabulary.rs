@@ -1,5 +1,7 @@
 //! The words of a response: the names that it may use, functions and constants; runs of letters split into them.
 
+use std::sync::Arc;
+
 use super::customary::{
     CustomaryRate, DECAY_RATES, about_axis, bare_frequency, damped, decay_rate,
     indexed_frequencies, initial_state, length, natural_frequency, velocities,
@@ -14,6 +16,9 @@ use super::words::{ALIASES, BARE, INFINITY, POWERS, Powered};
 use vibank_dynamics::numerics::SortedMap;
 use vibank_formula::expr::{Constant, Expr, Function, Kind, Name};
 use vibank_notation::Math;
+
+/// Names with the symbols by which they are printed.
+type Symbols = SortedMap<Name, Arc<Math>>;
 
 /// The words that a response may use.
 #[derive(Debug, Default)]
@@ -88,7 +93,7 @@ pub(crate) struct WordPiece {
 
 impl Words {
     /// Functions, constants and the names of a part, in the order in which they were given.
-    pub(crate) fn of(entries: &[LexiconEntry]) -> Self {
+    pub(crate) fn of(entries: &[LexiconEntry], symbols: &Symbols) -> Self {
         let mut words = Self::common();
         let decay_rate = decay_rate(entries);
         // What can be said in the letters of the part may be said by its own letter.
@@ -99,7 +104,7 @@ impl Words {
                 }
                 LexiconEntry::Forbidden(name)
                     if decay_rate.is_some() && DECAY_RATES.contains(&name.as_str()) => {}
-                LexiconEntry::Forbidden(name) => words.forbid(name),
+                LexiconEntry::Forbidden(name) => words.forbid(name, symbols),
             }
         }
         words.add_lengths();
@@ -133,8 +138,8 @@ impl Words {
     }
 
     /// The same with the names in the other case.
-    pub(crate) fn in_any_case(entries: &[LexiconEntry]) -> Self {
-        let mut words = Self::of(entries);
+    pub(crate) fn in_any_case(entries: &[LexiconEntry], symbols: &Symbols) -> Self {
+        let mut words = Self::of(entries, symbols);
         words.add_other_case(entries);
         words
     }
@@ -155,7 +160,11 @@ impl Words {
                 else {
                     continue;
                 };
+                let short: Vec<String> = shortened(&word).collect();
                 self.add(&word, WordSense::of_name(name));
+                for word in short {
+                    self.offer(&word, &WordSense::of_name(name));
+                }
                 let orders: &[u8] = if *is_moving { &[1, 2] } else { &[] };
                 for order in orders {
                     for rate in rates(&word, *order) {
@@ -251,7 +260,9 @@ impl Words {
         self.shortened
             .extend([own.as_str(), &printed].into_iter().flat_map(shortened));
         for spelling in others(name, &own, math) {
-            if !self.is_taken(&spelling) {
+            // `W` of another letter gives way to one that is printed so.
+            let gives_way = spelling == printed && self.shortened.contains(&spelling);
+            if gives_way || !self.is_taken(&spelling) {
                 self.replace(&spelling, sense.clone());
                 if is_moving {
                     self.add_dotted(&spelling, name);
@@ -261,7 +272,12 @@ impl Words {
     }
 
     /// Adds a name of the item that the answer may not use, so that it can be said.
-    fn forbid(&mut self, name: &Name) {
+    fn forbid(&mut self, name: &Name, symbols: &Symbols) {
+        let printed = symbols.get(name).map(|own| own.plain());
+        let printed = printed.and_then(|own| Letters::spelling(&own));
+        if let Some(printed) = printed.filter(|own| self.shortened.contains(own)) {
+            self.replace(&printed, WordSense::NotAllowed);
+        }
         let Some(own) = Letters::spelling(name.as_str()) else {
             return;
         };
