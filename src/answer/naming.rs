@@ -127,7 +127,13 @@ impl Naming {
         let Some((label, end)) = label_in_front(&response) else {
             return Ok(response);
         };
-        match self.printed_name(label)?.cloned() {
+        // `Ė`, which is read as it is, says that it is a rate.
+        let is_read = |label| self.reads(label).is_some_and(|own| self.is_asked(&own));
+        match self
+            .printed_name(label)?
+            .filter(|_| !is_read(label))
+            .cloned()
+        {
             Some(name) => Ok(response.with_name(end, name.as_str())),
             None => Ok(response),
         }

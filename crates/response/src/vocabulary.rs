@@ -29,6 +29,8 @@ pub(crate) struct Words {
     allowed: Vec<String>,
     /// Spellings with a Greek letter shortened.
     shortened: Vec<String>,
+    /// Spellings of names that are not printed so.
+    lent: Vec<String>,
     /// Spellings of the names that move with time.
     moving: Vec<(String, Name)>,
 }
@@ -260,10 +262,11 @@ impl Words {
         self.shortened
             .extend([own.as_str(), &printed].into_iter().flat_map(shortened));
         for spelling in others(name, &own, math) {
-            // `W` of another letter gives way to one that is printed so.
-            let gives_way = spelling == printed && self.shortened.contains(&spelling);
-            if gives_way || !self.is_taken(&spelling) {
+            // `W` for Ω and `ℓ` for L give way to a letter that is printed so.
+            let is_printed = spelling == printed;
+            if is_printed && self.lent.contains(&spelling) || !self.is_taken(&spelling) {
                 self.replace(&spelling, sense.clone());
+                self.lent.extend((!is_printed).then(|| spelling.clone()));
                 if is_moving {
                     self.add_dotted(&spelling, name);
                 }
