@@ -209,6 +209,11 @@ impl Marker for Prepared {
         if marking.credit < Credit::FULL && self.is_rounded(&equations) {
             return settle_rounded(self.doubt, Marking::right(setup.reading(&equations)));
         }
+        let in_letters = self.without_values(&equations);
+        let in_letters = in_letters.map(|equations| self.judged(equations, others));
+        if let Some(right) = in_letters.filter(|marking| marking.verdict == Verdict::Right) {
+            return right;
+        }
         // `M x'' + … = 0, M = 3m/2`, where M is a letter of the question, too.
         let defined = read::defined(setup, response, true);
         let defined = defined.map(|equations| self.judged(equations, others));
@@ -236,7 +241,29 @@ impl Prepared {
     }
 
     fn are_rounded_values(&self, equations: &[Equation]) -> bool {
-        let ([own], [key], [points]) = (equations, &self.key[..], &self.choices.points[..]) else {
+        match &self.choices.points[..] {
+            [points] => self.are_rounded_for(equations, points),
+            _ => false,
+        }
+    }
+
+    /// Some of several equations, where each other one is the key once more with the values of the sheet in place of
+    /// letters: `m x'' + k x = 0, x'' + 100 x = 0`.
+    fn without_values(&self, equations: &[Equation]) -> Option<Vec<Equation>> {
+        let is_again = |own: &Equation| {
+            let own = std::slice::from_ref(own);
+            let typed = || self.setup.compile(own, &SortedMap::new());
+            self.has_values(own, || true)
+                && (typed().is_some_and(|typed| self.is_right_for_the_data(&typed))
+                    || self.are_rounded_for(own, self.own()))
+        };
+        let (again, others): (Vec<_>, Vec<_>) = equations.iter().cloned().partition(is_again);
+        (!again.is_empty() && !others.is_empty()).then_some(others)
+    }
+
+    /// Whether an equation is the key for data but for the rounding of its numbers.
+    fn are_rounded_for(&self, equations: &[Equation], points: &Choice) -> bool {
+        let ([own], [key]) = (equations, &self.key[..]) else {
             return false;
         };
         let are_nearly = || {
