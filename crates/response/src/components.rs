@@ -1,6 +1,7 @@
 //! Sums of vectors, each with a factor: `(1, 2) (A cos 2t + B sin 2t) + (1, -1) C cos(4t + φ)`, read by components.
 
-use super::frame::without_transpositions;
+use super::frame::{groups, without_transpositions};
+use super::layout::spaced;
 use super::lexer::tokens;
 use super::parser::Parser;
 use super::sides::last_side;
@@ -8,6 +9,7 @@ use super::token::{Item, Token};
 use super::ways::readings;
 use super::{Lexicon, MAX_LENGTH, Manner, Trouble, TypedError};
 use vibank_formula::expr::Expr;
+use vibank_source::Span;
 
 /// A vector in a row of tokens: its brackets, and the signs between its entries.
 struct Vector {
@@ -54,7 +56,7 @@ fn read(
     lexicon: &Lexicon,
     manner: Manner,
 ) -> Result<Option<Vec<Expr>>, TypedError> {
-    let text = &without_transpositions(text);
+    let text = &with_separators(without_transpositions(text));
     let side = last_side(text).range();
     let Ok(tokens) = tokens(text, side.start, side.end, lexicon, manner) else {
         return Ok(None);
@@ -72,6 +74,22 @@ fn read(
         })
         .collect::<Result<_, _>>()
         .map(Some)
+}
+
+/// A text with separators between the numbers of its vectors that spaces part, `[1 -1]`; all places stay.
+fn with_separators(mut text: String) -> String {
+    for group in groups(&text, Span::new(0, text.len())) {
+        let own = &text[group.range()];
+        let is_vector = own.starts_with('[')
+            && own
+                .chars()
+                .all(|char| "[]+-. ".contains(char) || char.is_ascii_digit());
+        if is_vector {
+            let parted = spaced(own);
+            text.replace_range(group.range(), &parted);
+        }
+    }
+    text
 }
 
 /// The brackets outside of all others that hold this many entries.

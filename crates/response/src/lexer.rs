@@ -285,7 +285,7 @@ impl<'a> Lexer<'a> {
         }
         let next = self.rest()[1..].chars().next();
         let is_factor =
-            !self.is_spaced && next.is_some_and(|next| next.is_alphabetic() || next == '(');
+            !self.is_spaced && next.is_some_and(|next| next.is_alphabetic() || "(√".contains(next));
         let is_entrywise = next.is_some_and(|next| matches!(next, '*' | '/' | '^' | '²' | '³'));
         if is_factor {
             self.take(1, Item::Sign('*'));

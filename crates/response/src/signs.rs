@@ -168,6 +168,7 @@ pub(crate) const RUNS: &[(&str, &str)] = &[
     ("=>", "≥"),
     ("!=", "≠"),
     ("/=", "≠"),
+    ("/_", "∠"),
     ("~=", "≈"),
     // Both signs, as keyboards have them.
     ("+/-", "±"),

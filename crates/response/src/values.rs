@@ -414,11 +414,21 @@ impl<'t> Values<'t> {
         Some((two.texts().map(Reworded::of), is_first))
     }
 
-    /// The modulus and the angle around `∠`, `at` or `cis`.
+    /// The modulus and the angle around `∠`, `at` or `cis`, or around a comma before an angle in degrees.
     pub fn polar(&self, part: &Part) -> Option<(Part, Part)> {
         let is_angle = |item: &Item| matches!(item, Item::Sign('∠') | Item::Word("at" | "cis"));
-        let at = part.start + self.items(part).position(is_angle)?;
+        let of_sign = self.items(part).position(is_angle);
+        let at = part.start + of_sign.or_else(|| self.comma_before_degrees(part))?;
         Some((part.start..at, at + 1..part.end))
+    }
+
+    /// The only comma of a part that ends with an angle in degrees.
+    fn comma_before_degrees(&self, part: &Part) -> Option<usize> {
+        let is_degrees = matches!(self.items(part).next_back(), Some(Item::Unit(unit)) if **unit == Unit::degree());
+        let is_comma = |item: &Item| *item == Item::Sign(',');
+        let commas = self.items(part).filter(|item| is_comma(item)).count();
+        let place = || self.items(part).position(is_comma);
+        (is_degrees && commas == 1).then(place).flatten()
     }
 
     /// An angle without the unit that comes after its own, as in `-53° ohm`.

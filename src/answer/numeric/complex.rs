@@ -277,7 +277,10 @@ impl ComplexNumbers {
         {
             all = inner;
         }
-        let pieces = values.statements(&all);
+        let pieces = match values.polar(&all) {
+            Some(_) if !self.is_list => vec![all],
+            _ => values.statements(&all),
+        };
         let pieces = without_empty_ends(values, pieces)?;
         if pieces.is_empty() || !self.is_list && pieces.len() > 1 {
             return Err(like_complex(Why::SeveralComplex));
