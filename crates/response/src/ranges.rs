@@ -278,11 +278,21 @@ impl<'t> Reader<'t> {
             self.interval(span, &mut units)?
         } else {
             let sides = self.parted(span, |mark| matches!(mark, Mark::Sign(_)));
-            let sides = sides
-                .into_iter()
-                .map(|side| self.side(side.range()))
-                .collect();
-            Said::Chain { sides, signs }
+            let sides = sides.into_iter().map(|side| self.side(side.range()));
+            let sides: Vec<Passage<'t>> = sides.collect();
+            match (&sides[..], &signs[..]) {
+                // `above 0.2 up to 0.5`
+                ([subject, low, high], [above, upto])
+                    if subject.is_empty() && !above.is_less && upto.is_less =>
+                {
+                    Said::Interval {
+                        subject: None,
+                        ends: [*low, *high],
+                        open: Some([above.is_open, upto.is_open]),
+                    }
+                }
+                _ => Said::Chain { sides, signs },
+            }
         };
         Ok(Condition { units, said })
     }

@@ -64,7 +64,7 @@ impl Folder<'_> {
             behind.is_some_and(|behind| behind.starts_with(' '))
         })?;
         let behind = &rest[word.len() + 1..];
-        let is_behind_value = before.ends_with(|last| is_digit(last) || "°)".contains(last));
+        let is_behind_value = before.ends_with(|last| is_digit(last) || "°)]".contains(last));
         let stands = if *between == Between::Unit {
             is_behind_value && !behind.trim().is_empty() && Unit::read(behind.trim()).is_ok()
         } else {

@@ -30,6 +30,7 @@ pub(crate) const ALIASES: &[(&str, Function)] = &[
     ("Abs", Function::Abs),
     ("ABS", Function::Abs),
     ("tg", Function::Tan),
+    ("sen", Function::Sin),
     ("arsinh", Function::Asinh),
     ("arcosh", Function::Acosh),
     ("artanh", Function::Atanh),

@@ -57,6 +57,7 @@ pub(crate) const WORDS: &[(&str, &str)] = &[
     ("smaller than", "<"),
     ("at least", "≥"),
     ("at most", "≤"),
+    ("up to and including", "≤"),
     ("up to", "≤"),
     ("not below", "≥"),
     ("not above", "≤"),
