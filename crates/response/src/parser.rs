@@ -72,6 +72,12 @@ impl<'a> Parser<'a> {
         self.units != Units::Nothing
     }
 
+    /// Whether the sign here stands right behind a word and before a space, as a colon of prose does.
+    fn is_lead(&self) -> bool {
+        let is_spaced = |at: usize| self.tokens.get(at).is_some_and(|token| token.is_spaced);
+        !is_spaced(self.at) && is_spaced(self.at + 1)
+    }
+
     pub(crate) fn whole_formula(&mut self) -> Result<Expr> {
         let formula = self.sum()?;
         self.finish()?;
@@ -168,8 +174,10 @@ impl<'a> Parser<'a> {
                     let right = self.signed()?;
                     left = Self::binary(Operator::Multiply, left, right)?;
                 }
-                // `M:l`
-                Some(Item::Sign(sign)) if *sign == '/' || *sign == ':' && !self.has_units() => {
+                // `M:l` and `M : l`; `F = m g: m g/k` says what follows.
+                Some(Item::Sign(sign))
+                    if *sign == '/' || *sign == ':' && !self.has_units() && !self.is_lead() =>
+                {
                     self.at += 1;
                     let divisor = self.divisor(&left)?;
                     left = Self::binary(Operator::Divide, left, divisor)?;
