@@ -40,6 +40,7 @@ pub(crate) fn identity_in(
 ) -> Option<(Span, usize)> {
     let text = &text[piece.range()];
     let named = || {
+        let text = text.to_ascii_lowercase();
         let (name, at) = NAMES
             .iter()
             .find_map(|name| Some((name, text.find(name)?)))?;

@@ -17,16 +17,21 @@ pub(crate) fn laid_out(text: &str) -> String {
     without_brackets_of_unit(plain + unit)
 }
 
-/// `m 0 / 0 k` with semicolons between its rows, as many rows as each has entries; all places stay.
+/// `m 0 / 0 k` and `[m 0, 0 k]` with semicolons between their rows, as many rows as each has entries; all places stay.
 fn slashed(text: &str) -> Option<String> {
     let start = text.find('=').map_or(0, |label| label + 1);
-    let rows: Vec<&str> = text[start..].split(" / ").collect();
-    let is_whole = |row: &&str| {
-        let entries = row.split(|char: char| char.is_whitespace() || ",;".contains(char));
-        entries.filter(|entry| !entry.is_empty()).count() == rows.len()
+    let square = |(sign, semicolon, within): (&str, &str, &str)| {
+        let rows: Vec<&str> = text[start..].split(sign).collect();
+        let is_whole = |row: &&str| {
+            let entries = row.split(|char: char| char.is_whitespace() || within.contains(char));
+            entries.filter(|entry| !entry.is_empty()).count() == rows.len()
+        };
+        let is_square = rows.len() > 1 && rows.iter().all(is_whole);
+        is_square.then(|| text[..start].to_owned() + &rows.join(semicolon))
     };
-    let is_square = rows.len() > 1 && rows.iter().all(is_whole);
-    is_square.then(|| text[..start].to_owned() + &rows.join(" ; "))
+    // Between commas those within a row may be decimal signs.
+    let signs = [(" / ", " ; ", ",;"), (", ", "; ", "")];
+    signs.into_iter().find_map(square)
 }
 
 /// Where a list of numbers ends before its unit, `1 0\n0 2 kg`. Between letters its last one may be an entry.
@@ -254,7 +259,8 @@ fn rows_by_line(text: &str) -> String {
 fn rows_by_comma(text: &str) -> Option<String> {
     let list = text[text.find('=').map_or(0, |label| label + 1)..].trim();
     let inner = list.strip_prefix(['[', '(']).unwrap_or(list);
-    let lines: Vec<&str> = inner.trim_end().split('\n').map(str::trim_end).collect();
+    let inner = inner.strip_suffix([']', ')']).unwrap_or(inner).trim();
+    let lines: Vec<&str> = inner.split('\n').map(str::trim_end).collect();
     let (last, rows) = lines.split_last()?;
     let count = |row: &str| row.split(',').count();
     let is_row = |row: &&str| {

@@ -134,6 +134,7 @@ pub(crate) const WORDS: &[(&str, &str)] = &[
     ("more precisely", " "),
     ("exactly", " "),
     ("precisely", " "),
+    ("finally", " "),
     ("approximately", " "),
     ("approx.", " "),
     ("approx", " "),
