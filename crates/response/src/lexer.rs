@@ -142,6 +142,14 @@ impl<'a> Lexer<'a> {
             }
             _ => {}
         }
+        if let Some((name, length)) = self.lexicon.part(self.rest()) {
+            let span = Span::new(self.at, self.at + length);
+            self.take(
+                length,
+                Item::Leaf(Expr::new(Kind::Name(name.clone()), span)),
+            );
+            return Ok(());
+        }
         if char.is_ascii_alphabetic() || greek(char).is_some() || dotted(char).is_some() {
             return self.run(None);
         }

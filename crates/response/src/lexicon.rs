@@ -139,6 +139,11 @@ impl Lexicon {
         (is_whole && !is_known(first) && !is_known(second)).then_some((name, length))
     }
 
+    /// The name that a text begins with as the part of another, `Im Z`, and how long that is.
+    pub(crate) fn part(&self, text: &str) -> Option<(&Name, usize)> {
+        self.words().part(text)
+    }
+
     /// Whether no name may be used.
     pub(crate) fn is_empty(&self) -> bool {
         self.entries.is_empty()

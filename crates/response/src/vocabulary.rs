@@ -31,6 +31,8 @@ pub(crate) struct Words {
     shortened: Vec<String>,
     /// Spellings of names that are not printed so.
     lent: Vec<String>,
+    /// The words before the letters of names that are printed as parts of others, `Im` and `Z`, with these names.
+    parts: Vec<(String, String, Name)>,
     /// Spellings of the names that move with time.
     moving: Vec<(String, Name)>,
 }
@@ -244,6 +246,11 @@ impl Words {
             }
         }
         let plain = math.plain();
+        if let Some((part, whole)) = plain.split_once(' ')
+            && let Some(whole) = Letters::spelling(whole)
+        {
+            self.parts.push((part.to_owned(), whole, name.clone()));
+        }
         if let Some(value) = plain.strip_suffix("(0)") {
             let (base, order) = undotted(value)
                 .unwrap_or_else(|| (Letters::spelling(value).unwrap_or_default(), 0));
@@ -289,6 +296,20 @@ impl Words {
         } else if !self.knows(&own) {
             self.add(&own, WordSense::NotAllowed);
         }
+    }
+
+    /// The name that a text begins with as the part of another, `Im Z` and `Im(Z)`, and how long that is.
+    pub(crate) fn part(&self, text: &str) -> Option<(&Name, usize)> {
+        let is_letter = |char: char| char.is_alphanumeric() || char == '_';
+        self.parts.iter().find_map(|(part, whole, name)| {
+            let behind = text.strip_prefix(part.as_str())?.trim_start_matches(' ');
+            let inner = behind.strip_prefix('(');
+            let letters = inner.unwrap_or(behind);
+            let rest = letters.trim_start_matches(is_letter);
+            let own = Letters::spelling(&letters[..letters.len() - rest.len()])?;
+            let end = inner.map_or(Some(rest), |_| rest.strip_prefix(')'))?;
+            (own == *whole).then_some((name, text.len() - end.len()))
+        })
     }
 
     /// The symbols of the names that may be used.
