@@ -128,7 +128,8 @@ impl Naming {
             return Ok(response);
         };
         // `Ė`, which is read as it is, says that it is a rate.
-        let is_read = |label| self.reads(label).is_some_and(|own| self.is_asked(&own));
+        let is_read =
+            |label| self.is_formula && self.reads(label).is_some_and(|own| self.is_asked(&own));
         match self
             .printed_name(label)?
             .filter(|_| !is_read(label))

@@ -8,10 +8,9 @@ use vibank_notation::{Math, symbol};
 
 /// Greek letters as people shorten them, or with the letter that looks alike or that other books have; the likelier ones
 /// first.
-const SHORTENED: [(&str, &str); 9] = [
+const SHORTENED: [(&str, &str); 8] = [
     ("omega", "w"),
     ("omega", "om"),
-    ("Omega", "W"),
     ("Omega", "Om"),
     ("zeta", "xi"),
     ("theta", "th"),

@@ -108,9 +108,10 @@ impl Words {
                 }
                 LexiconEntry::Forbidden(name)
                     if decay_rate.is_some() && DECAY_RATES.contains(&name.as_str()) => {}
-                LexiconEntry::Forbidden(name) => words.forbid(name, symbols),
+                LexiconEntry::Forbidden(name) => words.forbid(name),
             }
         }
+        words.add_capital_w(entries, symbols);
         words.add_lengths();
         words.add_velocities();
         words.add_first_rates();
@@ -139,6 +140,31 @@ impl Words {
             }
         }
         words
+    }
+
+    /// `W` for Ω, where no letter is printed so and it cannot be a `w` for ω.
+    fn add_capital_w(&mut self, entries: &[LexiconEntry], symbols: &Symbols) {
+        let spellings = |entry: &LexiconEntry| {
+            let name = entry.name();
+            let printed = symbols.get(name).map(|own| own.plain());
+            let all = [Some(name.to_string()), printed].into_iter().flatten();
+            all.filter_map(|own| Letters::spelling(&own))
+                .collect::<Vec<_>>()
+        };
+        let is_rival = |own: &String| own.starts_with(['W', 'w']) || own.starts_with("omega");
+        if entries.iter().flat_map(spellings).any(|own| is_rival(&own)) {
+            return;
+        }
+        for entry in entries {
+            let LexiconEntry::Allowed(name, ..) = entry else {
+                continue;
+            };
+            for own in spellings(entry) {
+                if let Some(index) = own.strip_prefix("Omega") {
+                    self.offer(&format!("W{index}"), &WordSense::of_name(name));
+                }
+            }
+        }
     }
 
     /// The same with the names in the other case.
@@ -246,7 +272,7 @@ impl Words {
             }
         }
         let plain = math.plain();
-        if let Some((part, whole)) = plain.split_once(' ')
+        if let Some((part @ ("Re" | "Im" | "arg"), whole)) = plain.split_once(' ')
             && let Some(whole) = Letters::spelling(whole)
         {
             self.parts.push((part.to_owned(), whole, name.clone()));
@@ -269,7 +295,7 @@ impl Words {
         self.shortened
             .extend([own.as_str(), &printed].into_iter().flat_map(shortened));
         for spelling in others(name, &own, math) {
-            // `W` for Ω and `ℓ` for L give way to a letter that is printed so.
+            // `ℓ` for L gives way to a letter that is printed so.
             let is_printed = spelling == printed;
             if is_printed && self.lent.contains(&spelling) || !self.is_taken(&spelling) {
                 self.replace(&spelling, sense.clone());
@@ -282,12 +308,7 @@ impl Words {
     }
 
     /// Adds a name of the item that the answer may not use, so that it can be said.
-    fn forbid(&mut self, name: &Name, symbols: &Symbols) {
-        let printed = symbols.get(name).map(|own| own.plain());
-        let printed = printed.and_then(|own| Letters::spelling(&own));
-        if let Some(printed) = printed.filter(|own| self.shortened.contains(own)) {
-            self.replace(&printed, WordSense::NotAllowed);
-        }
+    fn forbid(&mut self, name: &Name) {
         let Some(own) = Letters::spelling(name.as_str()) else {
             return;
         };

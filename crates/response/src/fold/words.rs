@@ -70,7 +70,11 @@ impl Folder<'_> {
         } else {
             let next = behind.trim_start_matches('-');
             let digits = next.trim_start_matches(is_digit);
-            let is_sure = *between == Between::Values || digits.starts_with(['.', ',']);
+            let is_sure = match between {
+                Between::Decimals => digits.starts_with(['.', ',']),
+                Between::Listed => !before.contains(['<', '>', '≤', '≥']),
+                Between::Values | Between::Unit => true,
+            };
             let is_amount = before.ends_with(char::is_alphabetic)
                 && before.starts_with(|first: char| first.is_ascii_digit() || first == '-');
             digits.len() < next.len() && is_sure && (is_behind_value || is_amount)

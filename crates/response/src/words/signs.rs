@@ -172,6 +172,8 @@ pub(crate) enum Between {
     Values,
     /// Between two values, the second one with decimals: `3 e 5` may have a power of ten, which has none.
     Decimals,
+    /// Between two values of a list, in which nothing is compared: `if t < 1 then 2`.
+    Listed,
     /// Between a value and the unit that ends the response.
     Unit,
 }
@@ -179,7 +181,7 @@ pub(crate) enum Between {
 /// Words that are letters or mean nothing elsewhere, with what they stand for and where.
 pub(crate) const LETTERS: &[(&str, &str, Between)] = &[
     ("y", "and", Between::Values),
-    ("then", "and", Between::Values),
+    ("then", "and", Between::Listed),
     ("e", "and", Between::Decimals),
     ("in", " ", Between::Unit),
 ];
