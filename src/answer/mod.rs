@@ -30,6 +30,7 @@ mod meaning;
 mod mode_shape;
 mod naming;
 mod numeric;
+mod recalled;
 mod remark;
 mod rounded;
 mod settle;
@@ -51,6 +52,7 @@ pub use kind::AnswerKind;
 pub use marking::{Credit, Key, KeyValue, Marking, Reading, Reason, Verdict};
 pub(crate) use naming::Naming;
 pub(crate) use numeric::are_one_value;
+pub use recalled::Recalled;
 pub use remark::{
     Close, Coefficient, Decades, Example, Fault, Linearity, Misfit, Negated, Note, Remark, Scaling,
     Shape, Slip, Term, TermKind, Terms, TwoPi, Unreadable, Why,
@@ -224,6 +226,11 @@ pub trait Marker {
     /// Whether a condition that is said beside an answer holds somewhere in the domain of the item.
     fn may_hold(&self, _condition: Passage<'_>) -> bool {
         true
+    }
+
+    /// The right answers that are so for other data, too; none where a verdict depends on the data.
+    fn recalled(&self) -> Option<&Recalled> {
+        None
     }
 
     /// The equations of the key and those that a response is, where equations are asked.

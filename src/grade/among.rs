@@ -2,7 +2,7 @@
 
 use super::bound::bounded;
 use super::typed::TypedResponse;
-use super::{mark_typed, marked_again, silence};
+use super::{mark_typed, marked_again, recalled, silence};
 use crate::answer::{Beside, Marking};
 use crate::response::{Folded, Passage, Reworded, withdrawn};
 use crate::solution::Solution;
@@ -31,6 +31,19 @@ pub(crate) fn marked(
     {
         return mark_typed(solution, place, response);
     }
+    recalled(solution, place, response, || {
+        marked_beside(solution, place, responses)
+    })
+}
+
+/// The marking of a response with those to other parts at hand.
+fn marked_beside(
+    solution: &Solution<'_>,
+    place: usize,
+    responses: &[TypedResponse<'_>],
+) -> Marking {
+    let parts = &solution.template().parts;
+    let response = &responses[place];
     let folded = match response.folded() {
         Ok(folded) => folded,
         Err(dollar) => return Marking::unreadable(dollar),

@@ -30,21 +30,28 @@ pub(crate) fn otherwise(
     let is_open = is_misfit || first.verdict == Verdict::Unreadable && !is_doubtful(first);
     let part = &solution.template().parts[place];
     part.answer.other_form()?;
+    // The sides of an equation are no forms of one value, and the value that was read counts, whatever the steps before it
+    // are.
+    let may_have_both = !matches!(
+        part.answer.kind(),
+        AnswerKind::Equation | AnswerKind::Numeric
+    );
+    let own = solution.marker(place).ok()?;
+    let is_known = || {
+        let known = own.recalled();
+        known.is_some_and(|known| known.has(response.typed()))
+    };
+    if !is_open && (!may_have_both || is_known()) {
+        return None;
+    }
     let folded = part.naming.named(response.folded().ok()?.clone()).ok()?;
     let typed = folded.passage();
     let sides = typed.statement();
     // A key in the other form is prepared only where it may decide.
-    let may_have_both = sides.len() > 1 && part.answer.kind() != AnswerKind::Equation;
-    if !may_have_both && !is_open {
-        return None;
-    }
-    let is_of_value = part.answer.kind() == AnswerKind::Numeric;
-    // The value that was read counts, whatever the steps before it are.
-    if is_of_value && !is_open {
+    if sides.len() < 2 && !is_open {
         return None;
     }
     let other = solution.other_marker(place)?;
-    let own = solution.marker(place).ok()?;
     let forms = Forms {
         own,
         other,
@@ -77,6 +84,21 @@ pub(crate) fn otherwise(
         }
         None => is_misfit.then(|| Marking::unreadable(Why::Letters)),
     }
+}
+
+/// Whether a response says nothing in another form than the one that is asked.
+pub(crate) fn is_in_one(
+    solution: &Solution<'_>,
+    place: usize,
+    response: &TypedResponse<'_>,
+) -> bool {
+    let part = &solution.template().parts[place];
+    if part.answer.kind() == AnswerKind::Equation {
+        return true;
+    }
+    let folded = response.folded().ok().cloned();
+    let folded = folded.and_then(|folded| part.naming.named(folded).ok());
+    folded.is_some_and(|folded| folded.passage().statement().len() < 2)
 }
 
 /// What a response that its own kind hands back stands for in later parts: the value in place of a formula, or the

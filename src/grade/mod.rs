@@ -62,20 +62,40 @@ fn mark_typed(solution: &Solution<'_>, place: usize, response: &TypedResponse<'_
     if typed.is_empty() {
         return Marking::missing();
     }
-    let marking = match folded(solution, place, response) {
-        Ok((marker, folded)) => bounded(|| {
-            let kind = solution.template().parts[place].answer.kind();
-            let mark = |response: Passage<'_>| marker.mark(response);
-            let naming = &solution.template().parts[place].naming;
-            let may_answer = |other: &Reworded| {
-                naming.check(other.passage()).is_ok()
-                    && other.conditions().all(|own| marker.may_hold(own))
-            };
-            marked_again(kind, folded.passage(), may_answer, mark).in_typed(&folded)
-        }),
-        Err(why) => Marking::unreadable(why),
+    recalled(solution, place, response, || {
+        let marking = match folded(solution, place, response) {
+            Ok((marker, folded)) => bounded(|| {
+                let kind = solution.template().parts[place].answer.kind();
+                let mark = |response: Passage<'_>| marker.mark(response);
+                let naming = &solution.template().parts[place].naming;
+                let may_answer = |other: &Reworded| {
+                    naming.check(other.passage()).is_ok()
+                        && other.conditions().all(|own| marker.may_hold(own))
+                };
+                marked_again(kind, folded.passage(), may_answer, mark).in_typed(&folded)
+            }),
+            Err(why) => Marking::unreadable(why),
+        };
+        silence::heard(typed, marking)
+    })
+}
+
+/// The marking of what was typed: that which it had before, where it was right whatever the data are, or by `mark`.
+fn recalled(
+    solution: &Solution<'_>,
+    place: usize,
+    response: &TypedResponse<'_>,
+    mark: impl FnOnce() -> Marking,
+) -> Marking {
+    let Some(known) = solution.marker(place).ok().and_then(Marker::recalled) else {
+        return mark();
     };
-    silence::heard(typed, marking)
+    known.get(response.typed()).unwrap_or_else(|| {
+        let marking = mark();
+        let has_one_form = || form::is_in_one(solution, place, response);
+        known.keep(response.typed(), &marking, has_one_form);
+        marking
+    })
 }
 
 /// A longer answer is no answer with something said beside it, and takes its time for each way to read it.

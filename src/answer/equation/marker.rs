@@ -9,6 +9,7 @@ use super::rows::Rows;
 use super::system::System;
 use super::terms::{Coefficients, terms};
 use super::{Arc, Setup, read, told, written};
+use crate::answer::recalled::Recalled;
 use crate::answer::rounded::{rounding_of_values, settle_rounded, with_fractions};
 use crate::answer::settle::{Candidate, settle_by_rule};
 use crate::answer::{
@@ -26,6 +27,7 @@ pub(crate) struct Prepared {
     pub(crate) key: Arc<Vec<Program>>,
     /// The data for which equations are compared.
     pub(crate) choices: Arc<Choices>,
+    pub(crate) recalled: Option<Arc<Recalled>>,
     /// The data of the instance, by input.
     pub(crate) data: Vec<Option<f64>>,
     /// The points for these, once numbers were typed in place of letters.
@@ -220,6 +222,10 @@ impl Marker for Prepared {
         defined
             .filter(|defined| defined.verdict == Verdict::Right)
             .unwrap_or(marking)
+    }
+
+    fn recalled(&self) -> Option<&Recalled> {
+        self.recalled.as_deref()
     }
 
     fn equations(&self, response: Passage<'_>) -> Option<Equations> {

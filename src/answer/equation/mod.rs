@@ -34,6 +34,7 @@ use self::points::Choices;
 use super::equality::{BySigns, Signs};
 use super::letters::Allowed;
 use super::meaning::{Meaning, Prefer};
+use super::recalled::RightAnswers;
 use super::shared::{self, Shared};
 use super::{
     Answer, AnswerError, Answered, Asked, Blank, Context, Declare, Doubt, Key, Marker, Reading,
@@ -74,6 +75,7 @@ pub(crate) struct Setup {
     compiled: Shared<Vec<Program>>,
     /// The data for which equations are compared with the key.
     choices: BySigns<Choices>,
+    right: RightAnswers,
     /// As it is printed, once it was.
     printed: OnceLock<Arc<Key>>,
 }
@@ -132,6 +134,7 @@ pub(crate) fn read(part: &Table<'_>, declare: &mut dyn Declare) -> Option<Box<dy
         letters,
         compiled: Shared::default(),
         choices: BySigns::default(),
+        right: RightAnswers::default(),
         printed: OnceLock::new(),
     });
     let in_values = Equations {
@@ -272,10 +275,15 @@ impl Answer for Equations {
                 mistakes.push((mistaken.number, programs, mistaken.credit));
             }
         }
+        let recalled = match self.written {
+            Written::InLetters(_) => setup.right.on(signs, context),
+            Written::InValues => None,
+        };
         Ok(Box::new(Prepared {
             setup: Arc::clone(setup),
             key,
             choices,
+            recalled,
             data,
             own: OnceCell::new(),
             mistakes,

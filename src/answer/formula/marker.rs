@@ -5,6 +5,7 @@ use std::sync::Arc;
 use super::Setup;
 use super::slip::slip;
 use crate::answer::equality::{Comparable, Comparison, Condition, Points};
+use crate::answer::recalled::Recalled;
 use crate::answer::rounded::{rounding, settle_rounded, with_fractions};
 use crate::answer::settle::{Candidate, settle_by_rule};
 use crate::answer::{
@@ -25,6 +26,7 @@ pub(crate) struct Prepared {
     pub(crate) key: Arc<Comparable>,
     pub(crate) points: Arc<Points>,
     pub(crate) mistakes: Vec<Mistake>,
+    pub(crate) recalled: Option<Arc<Recalled>>,
     pub(crate) mark: DecimalMark,
     pub(crate) doubt: Doubt,
 }
@@ -508,6 +510,10 @@ impl Marker for Prepared {
 
     fn key(&self) -> Key {
         Key::clone(self.setup.printed())
+    }
+
+    fn recalled(&self) -> Option<&Recalled> {
+        self.recalled.as_deref()
     }
 
     fn echo(&self, response: Passage<'_>) -> Result<Echo, Unreadable> {

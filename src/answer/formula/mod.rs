@@ -25,6 +25,7 @@ use self::marker::{Mistake, Prepared};
 use super::equality::{BySigns, Comparable, Points, Signs};
 use super::letters::Allowed;
 use super::meaning::{Meaning, Prefer};
+use super::recalled::RightAnswers;
 use super::shared::{self, Shared};
 use super::{
     Answer, AnswerError, AnswerKind, Asked, Blank, Context, Declare, Key, Marker, Naming, bound,
@@ -67,6 +68,7 @@ pub(crate) struct Setup {
     compiled: Shared<Comparable>,
     /// The points at which answers are compared with the key.
     points: BySigns<Points>,
+    right: RightAnswers,
     /// As it is printed, once it was.
     printed: OnceLock<Arc<Key>>,
 }
@@ -143,6 +145,7 @@ pub(crate) fn of_key(
         lexicon: allowed.lexicon,
         compiled: Shared::default(),
         points: BySigns::default(),
+        right: RightAnswers::default(),
         printed: OnceLock::new(),
     };
     Some(Formula {
@@ -224,6 +227,7 @@ impl Answer for Formula {
             key,
             points,
             mistakes,
+            recalled: setup.right.on(signs, context),
             mark: context.mark,
             doubt: context.doubt,
         }))

@@ -3,4 +3,5 @@
 mod doubt;
 mod follow;
 mod form;
+mod recalled;
 mod relations;

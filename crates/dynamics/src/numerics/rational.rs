@@ -166,6 +166,16 @@ impl Rational {
 
     /// The nearest binary64.
     pub fn to_f64(self) -> f64 {
+        // Integers below 2⁵³ are binary64 numbers, whose quotient is rounded once.
+        const EXACT: u64 = 1 << 53;
+        let short = |own: i128| {
+            i64::try_from(own)
+                .ok()
+                .filter(|own| own.unsigned_abs() < EXACT)
+        };
+        if let Some((above, below)) = short(self.numerator).zip(short(self.denominator)) {
+            return above as f64 / below as f64;
+        }
         let (high, low) = self.to_pair();
         high + low
     }

@@ -16,18 +16,16 @@ pub(crate) struct ProgramLanes<'a, S> {
 }
 
 /// What a step reads.
-enum Operand<'a, S> {
-    Same(&'a S),
-    Each(&'a [S]),
+struct Operand<'a, S> {
+    numbers: &'a [S],
+    /// From one place to the next: 0 where the number is the same at all places, else 1.
+    stride: usize,
 }
 
 impl<'a, S> Operand<'a, S> {
     #[inline]
     fn at(&self, place: usize) -> &'a S {
-        match self {
-            Self::Same(number) => number,
-            Self::Each(numbers) => &numbers[place],
-        }
+        &self.numbers[place * self.stride]
     }
 }
 
@@ -61,8 +59,14 @@ impl<'a, S: Scalar> ProgramLanes<'a, S> {
 
     fn get(&self, register: Register) -> Operand<'_, S> {
         match &self.columns[register as usize] {
-            Some(column) => Operand::Each(column),
-            None => Operand::Same(&self.registers[register as usize]),
+            Some(column) => Operand {
+                numbers: column,
+                stride: 1,
+            },
+            None => Operand {
+                numbers: &self.registers[register as usize..],
+                stride: 0,
+            },
         }
     }
 
@@ -154,15 +158,20 @@ impl<'a, S: Scalar> ProgramLanes<'a, S> {
 }
 
 /// What a step gives at so many places.
-// Collected with its errors, a column would not know how long it becomes, and would move five times while it grows.
+// Collected with its errors, a column would not know how long it becomes, and would move five times while it grows;
+// with a place taken for each number, each would ask whether there is room.
 #[inline]
-fn filled<S>(
+fn filled<S: Scalar>(
     count: usize,
     mut step: impl FnMut(usize) -> Result<S, Undefined>,
 ) -> Result<Vec<S>, Undefined> {
-    let mut column = Vec::with_capacity(count);
-    for place in 0..count {
-        column.push(step(place)?);
-    }
-    Ok(column)
+    let mut stop = None;
+    let number = |place| {
+        step(place).unwrap_or_else(|reason| {
+            stop = Some(reason);
+            S::exact(0.0)
+        })
+    };
+    let column = (0..count).map(number).collect();
+    stop.map_or(Ok(column), Err)
 }

@@ -108,6 +108,10 @@ impl Sweep<'_> {
         };
         for (place, own) in rest.iter().enumerate() {
             let (number, is_open) = lanes.at(program.results[0], place);
+            if !is_open && number.bound <= accuracy && number.value.is_finite() {
+                all.push(number.value);
+                continue;
+            }
             let double = Ok(Outcome::of_one(number, is_open));
             let wide = &mut self.wide;
             all.push(program.real(accuracy, double, move || wide.run(program, varied, own))?);
@@ -221,7 +225,7 @@ fn first<S: Scalar>(
 ) -> Result<SweptSteps, Absence> {
     let count = program.registers as usize;
     let (mut varies, mut is_written) = (vec![false; count], vec![false; count]);
-    let (mut steps, mut taken) = (Vec::new(), 0);
+    let (mut steps, mut taken) = (Vec::with_capacity(program.code.len()), 0);
     let (mut is_fixed, mut stays_open) = (true, false);
     let mut at = 0;
     while let Some(&Instruction { step, out }) = program.code.get(at as usize) {
