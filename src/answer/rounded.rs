@@ -6,6 +6,8 @@ use crate::numerics::Rational;
 
 /// Figures from which on a decimal may stand for a number that has no end: with two, 0.33, it is a third to one percent only.
 const MIN_FIGURES: u32 = 3;
+/// Part by which four figures or more may be off: nobody comes to them in another way.
+const SURE: f64 = 5e-4;
 /// Divisions until the simplest fraction between two bounds is found; of decimals with six figures it takes at most nine.
 const MAX_DIVISIONS: u32 = 16;
 
@@ -45,10 +47,11 @@ fn largest(formula: &Expr, decimal: fn(Rational) -> Option<Decimal>) -> Option<f
     Some(largest).filter(|largest| *largest > 0.0)
 }
 
-/// The marking of an answer that is right but for the rounding of numbers: right on paper, handed back where one can ask.
-pub(crate) fn settle_rounded(doubt: Doubt, right: Marking) -> Marking {
-    match (doubt, right.reading) {
-        (Doubt::Benefit, Some(reading)) => {
+/// The marking of an answer that is right but for the rounding of numbers, by such a part at most: with four figures it is
+/// right; with three it is right on paper, and handed back where one can ask.
+pub(crate) fn settle_rounded(doubt: Doubt, rounding: f64, right: Marking) -> Marking {
+    match right.reading {
+        Some(reading) if doubt == Doubt::Benefit || rounding <= SURE => {
             Marking::read(reading, Credit::FULL, Remark::from(Note::RoundedNumbers))
         }
         _ => Marking::unreadable(Why::RoundedNumbers),

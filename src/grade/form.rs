@@ -79,8 +79,11 @@ pub(crate) fn otherwise(
     }
     match share(solution, place, sheet).filter(|credit| *credit > Credit::NONE) {
         Some(credit) => {
-            let note = Remark::from(Note::OtherForm);
-            Some(Marking::read(reading, credit, note))
+            let note = match part.answer.kind() {
+                AnswerKind::Equation => Note::WithValues,
+                _ => Note::OtherForm,
+            };
+            Some(Marking::read(reading, credit, Remark::from(note)))
         }
         None => is_misfit.then(|| Marking::unreadable(Why::Letters)),
     }
@@ -365,7 +368,8 @@ fn is_name(formula: &str) -> bool {
             .all(|char| char.is_alphanumeric() || char == '_')
 }
 
-/// What the other form is worth; nothing where another part that is asked has the same key.
+/// What the other form is worth; nothing where another part that is asked has the same key. An equation with the values
+/// of the sheet says what one in letters says, while a value does not show the formula.
 fn share(solution: &Solution<'_>, place: usize, sheet: &Sheet<'_>) -> Option<Credit> {
     let template = solution.template();
     let key = |at: usize| {
@@ -396,5 +400,8 @@ fn share(solution: &Solution<'_>, place: usize, sheet: &Sheet<'_>) -> Option<Cre
     sheet
         .other_form
         .or(template.about.other_form)
-        .or_else(|| Rational::new(1, 2).and_then(Credit::new))
+        .or_else(|| match is_equation {
+            true => Some(Credit::FULL),
+            false => Rational::new(1, 2).and_then(Credit::new),
+        })
 }

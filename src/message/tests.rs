@@ -233,6 +233,7 @@ fn notes() -> Vec<Note> {
         Note::RightTogether,
         Note::OthersBelongElsewhere,
         Note::OtherForm,
+        Note::WithValues,
         Note::RoundedNumbers,
         Note::ConstantsToSpare {
             needed: 4,

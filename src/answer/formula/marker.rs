@@ -94,7 +94,7 @@ impl Prepared {
         let exact = || with_fractions(std::slice::from_ref(expr));
         let is_right = misfit.is_none()
             && (is_factor || exact().is_some_and(|exact| exact.iter().all(is_key)));
-        is_right.then(|| settle_rounded(self.doubt, Marking::right(self.reading(expr))))
+        is_right.then(|| settle_rounded(self.doubt, rounding, Marking::right(self.reading(expr))))
     }
 
     /// The marking of a formula before its form with rounded numbers, `√(2k/m) ≈ 1.414 √(k/m)`, if it is right and all

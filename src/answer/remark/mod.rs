@@ -119,6 +119,8 @@ pub enum Note {
     OthersBelongElsewhere,
     /// Right in another form than the one that is asked: a value for a formula, or a formula for a value.
     OtherForm,
+    /// Right with the values of the sheet in place of letters.
+    WithValues,
     /// Right but for the rounding of the numbers in a formula.
     RoundedNumbers,
     /// More free constants than it needs.

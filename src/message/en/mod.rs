@@ -147,6 +147,9 @@ fn note(note: &Note) -> String {
         Note::OtherForm => {
             "Right, but not in the form that is asked for; see the line for the answer.".to_owned()
         }
+        Note::WithValues => {
+            "Right with the values of this sheet; with letters it holds for all values.".to_owned()
+        }
         Note::RoundedNumbers => {
             "Right; its numbers are rounded, and are asked for exactly.".to_owned()
         }

@@ -158,6 +158,9 @@ fn note(note: &Note) -> String {
         Note::OtherForm => {
             "C’est juste, mais pas sous la forme demandée ; voyez la ligne de réponse.".to_owned()
         }
+        Note::WithValues => {
+            "C’est juste avec les valeurs de cette feuille ; avec des lettres, ce le serait pour toutes.".to_owned()
+        }
         Note::RoundedNumbers => {
             "C’est juste ; les nombres sont arrondis, on les demande exacts.".to_owned()
         }
