@@ -9,7 +9,7 @@ type Rereading = fn(&str) -> Option<Reworded>;
 
 /// The ways, in the order in which they are tried. What comes out of one is an answer where it is right, so that no way
 /// makes a wrong one of what could not be read.
-const WAYS: [Rereading; 8] = [
+const WAYS: [Rereading; 10] = [
     // What is said after an answer, where it holds or where it comes from, does not change it.
     |text| {
         let before = aside::before(text)?;
@@ -23,8 +23,12 @@ const WAYS: [Rereading; 8] = [
     |text| aside::behind(text).map(Reworded::from),
     // What steps lead to is the answer: `½ k (2x)² = ½ (4k) x² → 4k`.
     |text| Some(Reworded::from(Passage::of(text).concluded()?.text())),
+    // So is the last of several equations: those before it have letters that are eliminated.
+    |text| last_equation(text).map(Reworded::from),
     // `|a b; c d| = 0`
     |text| determinant::of_bars(text).map(Reworded::of),
+    // `at 10 rad/s`
+    |text| text.strip_prefix("at ").map(Reworded::from),
     // What is corrected is no answer.
     |text| corrected(text).map(Reworded::from),
     // Last, since `two` and `half` count things in what is said beside an answer, too.
@@ -34,6 +38,14 @@ const WAYS: [Rereading; 8] = [
 /// What may be read in place of a text, by each way that it allows.
 pub(crate) fn read_again(text: &str) -> impl Iterator<Item = Reworded> {
     WAYS.iter().filter_map(move |way| way(text))
+}
+
+/// The last of several equations, each of which ends at a semicolon, a line or a sentence.
+fn last_equation(text: &str) -> Option<&str> {
+    let mut ends = ["\n", ";", ". "].iter();
+    let (before, last) = ends.find_map(|end| text.trim_end().rsplit_once(end))?;
+    let are_equations = before.contains('=') && last.contains('=');
+    are_equations.then_some(last.trim())
 }
 
 /// What comes after the last word with which an answer is corrected, `5 m -> sorry, 6 m`.

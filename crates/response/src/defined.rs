@@ -112,7 +112,9 @@ fn multiple(side: &str, lexicon: &Lexicon) -> Option<(Expr, Letter)> {
     let own = |text: &str| letter(text, lexicon, false).filter(|own| !own.is_known);
     let (factor, rest) = factor_before(side).unwrap_or((1, side));
     let with_ratio = || {
-        let (length, name) = letters::letter(rest)?;
+        let slash = usize::from(rest.starts_with('\\'));
+        let (length, name) = letters::letter(&rest[slash..])?;
+        let length = slash + length;
         let ratio = own(&rest[..length]).filter(|_| DAMPING_RATIOS.contains(&name.as_str()))?;
         let other = rest[length..].trim_start_matches([' ', '*']);
         let other = letter(other, lexicon, false)?;
@@ -231,7 +233,7 @@ pub(crate) fn defined_chains(
     Some(chains.collect())
 }
 
-/// A statement without what its colon says of it, `Newton: m x'' = -k x`.
+/// A statement without what its colon says of it, `Newton: m x'' = -k x`; `for x' > 0: …` says it of a part of the motion.
 fn behind_colon(text: &str, statement: Span) -> Span {
     let pieces = cut_where(text, statement, |_, char| char == ':');
     let last = pieces.last().copied().unwrap_or(statement);
@@ -239,7 +241,8 @@ fn behind_colon(text: &str, statement: Span) -> Span {
         .trim_start()
         .starts_with(|first| first != '=')
         && text[last.range()].contains('=');
-    if is_equation {
+    let before = &text[statement.range().start..last.range().start];
+    if is_equation && !before.contains(['<', '>', '≤', '≥']) {
         trimmed(text, last)
     } else {
         statement

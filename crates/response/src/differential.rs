@@ -136,8 +136,11 @@ pub(crate) fn spelling(name: &str) -> Option<String> {
         return Letters::spelling(name);
     };
     let command = name_of_command(name);
-    let rest = Letters::spelling(&word[command.len()..]).unwrap_or_default();
-    Some(greek_word(command)?.to_owned() + &rest)
+    let index = match &word[command.len()..] {
+        "" => String::new(),
+        index => Letters::spelling(index)?,
+    };
+    Some(greek_word(command)?.to_owned() + &index)
 }
 
 /// What derivatives are called.

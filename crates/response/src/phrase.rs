@@ -1,6 +1,6 @@
 //! Words, as responses and options are made of: without regard to case, spacing and the signs around them.
 
-use super::letters::{Letters, greek_word};
+use super::letters::{Letters, greek_word, lowered};
 use super::words::{ANNOUNCEMENTS, CLAUSES, DOUBTS, JOINTS, WITHDRAWALS};
 use super::{Folded, Passage, Wording};
 use vibank_source::lower;
@@ -20,9 +20,17 @@ impl Phrase {
     pub fn of(typed: &str) -> Self {
         let words = typed.split_whitespace().collect::<Vec<_>>().join(" ");
         let words = words.trim_matches(['"', '\'']);
+        let words = words.trim_end_matches(['.', '!', ',', ';', ':']);
+        let mut plain = String::new();
+        for char in lower(words).chars() {
+            match lowered(char) {
+                Some(index) => plain.extend(['_', index]),
+                None => plain.push(char),
+            }
+        }
         Self {
             typed: typed.to_owned(),
-            plain: lower(words.trim_end_matches(['.', '!', ',', ';', ':'])),
+            plain,
         }
     }
 

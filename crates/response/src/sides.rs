@@ -169,11 +169,10 @@ fn symbol(text: &str, lexicon: &Lexicon) -> Option<Symbol> {
         Some(rest) => rest,
         None => text,
     };
-    let text = without_arguments(text.trim_matches(['$', ' ']));
-    let bare = text
-        .strip_prefix('|')
-        .and_then(|text| text.strip_suffix('|'));
-    let text = bare.unwrap_or(text);
+    let text = text.trim_matches(['$', ' ']);
+    let mut bars = [("|", "|"), ("abs(", ")")].into_iter();
+    let bare = bars.find_map(|(open, close)| text.strip_prefix(open)?.strip_suffix(close));
+    let text = without_arguments(bare.unwrap_or(text));
     if leibniz(text, 0).is_some_and(|(.., end)| end == text.len()) || is_quotient(text) {
         return Some(Symbol::Asked);
     }

@@ -210,8 +210,14 @@ impl Marker for Prepared {
         }
         if marking.credit < Credit::FULL && self.is_rounded(&equations) {
             let all = equations.iter().map(Equation::difference);
-            let rounding = all.filter_map(|own| rounding_of_values(&own)).fold(0.0, f64::max);
-            return settle_rounded(self.doubt, rounding, Marking::right(setup.reading(&equations)));
+            let rounding = all
+                .filter_map(|own| rounding_of_values(&own))
+                .fold(0.0, f64::max);
+            return settle_rounded(
+                self.doubt,
+                rounding,
+                Marking::right(setup.reading(&equations)),
+            );
         }
         let in_letters = self.without_values(&equations);
         let in_letters = in_letters.map(|equations| self.judged(equations, others));

@@ -143,6 +143,7 @@ pub(crate) const ENDS: &[(&str, bool)] = &[
     ("including the ends", false),
     ("including the bounds", false),
     ("inclusive", false),
+    ("not included", true),
     ("included", false),
     ("including", false),
     ("both ends excluded", true),

@@ -27,6 +27,8 @@ pub(crate) const REMARKS: &[&str] = &[
     "highest",
     "lower",
     "upper",
+    "bottom",
+    "top",
     "underdamped",
     "overdamped",
     "critically damped",
