@@ -397,11 +397,10 @@ fn share(solution: &Solution<'_>, place: usize, sheet: &Sheet<'_>) -> Option<Cre
     if !is_equation && is_asked_again()? {
         return None;
     }
-    sheet
-        .other_form
-        .or(template.about.other_form)
-        .or_else(|| match is_equation {
-            true => Some(Credit::FULL),
-            false => Rational::new(1, 2).and_then(Credit::new),
-        })
+    let usual = if is_equation {
+        Some(Credit::FULL)
+    } else {
+        Rational::new(1, 2).and_then(Credit::new)
+    };
+    sheet.other_form.or(template.about.other_form).or(usual)
 }
