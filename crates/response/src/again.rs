@@ -40,11 +40,15 @@ pub(crate) fn read_again(text: &str) -> impl Iterator<Item = Reworded> {
     WAYS.iter().filter_map(move |way| way(text))
 }
 
-/// The last of several equations, each of which ends at a semicolon, a line or a sentence.
+/// The last of several equations, each of which ends at a semicolon, a line or a sentence; none where one before it has
+/// the same left side, and says otherwise.
 fn last_equation(text: &str) -> Option<&str> {
     let mut ends = ["\n", ";", ". "].iter();
     let (before, last) = ends.find_map(|end| text.trim_end().rsplit_once(end))?;
-    let are_equations = before.contains('=') && last.contains('=');
+    let (left, _) = last.split_once('=')?;
+    let mut others = before.split(['\n', ';', ',']);
+    let says_otherwise = |own: &str| own.split('=').next().map(str::trim) == Some(left.trim());
+    let are_equations = before.contains('=') && !others.any(says_otherwise);
     are_equations.then_some(last.trim())
 }
 
