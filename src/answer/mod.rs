@@ -228,7 +228,8 @@ pub trait Marker {
         true
     }
 
-    /// The right answers that are so for other data, too; none where a verdict depends on the data.
+    /// The right answers that are so for other data, too; none where a verdict depends on the data, and once one was asked
+    /// for that does.
     fn recalled(&self) -> Option<&Recalled> {
         None
     }

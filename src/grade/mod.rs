@@ -87,15 +87,17 @@ fn recalled(
     response: &TypedResponse<'_>,
     mark: impl FnOnce() -> Marking,
 ) -> Marking {
-    let Some(known) = solution.marker(place).ok().and_then(Marker::recalled) else {
-        return mark();
-    };
-    known.get(response.typed()).unwrap_or_else(|| {
-        let marking = mark();
+    let known = || solution.marker(place).ok().and_then(Marker::recalled);
+    if let Some(marking) = known().and_then(|known| known.get(response.typed())) {
+        return marking;
+    }
+    let marking = mark();
+    // Asked once more: marking may have looked at the data.
+    if let Some(known) = known() {
         let has_one_form = || form::is_in_one(solution, place, response);
         known.keep(response.typed(), &marking, has_one_form);
-        marking
-    })
+    }
+    marking
 }
 
 /// A longer answer is no answer with something said beside it, and takes its time for each way to read it.

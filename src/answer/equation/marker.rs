@@ -233,7 +233,10 @@ impl Marker for Prepared {
     }
 
     fn recalled(&self) -> Option<&Recalled> {
-        self.recalled.as_deref()
+        // What was compared for the data of the sheet may be right for them alone.
+        self.recalled
+            .as_deref()
+            .filter(|_| self.own.get().is_none())
     }
 
     fn equations(&self, response: Passage<'_>) -> Option<Equations> {

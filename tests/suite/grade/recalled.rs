@@ -50,3 +50,24 @@ fn what_others_have_typed_before_changes_no_marking() {
     let right = right.iter().filter(|own| own.verdict == Verdict::Right);
     assert_eq!(right.count(), 5);
 }
+
+/// An equation in letters with the same in values beside it is right for the data of its sheet alone.
+#[test]
+fn values_of_one_sheet_are_not_right_on_another() {
+    const TYPED: &str = "m x'' + c x' + (k1+k2) x = 0, 2 x'' + 4 x' + 50 x = 0";
+    let bank = Catalogue::open(vibank::bank::embedded()).0;
+    let template = bank.find(ITEM).expect("the item");
+    let eom = template.parts.iter().position(|part| part.has_id("eom"));
+    for (mass, is_right) in [("2 kg", true), ("3 kg", false)] {
+        let set = [
+            ("m", mass),
+            ("b", "4 N s/m"),
+            ("k1", "30 N/m"),
+            ("k2", "20 N/m"),
+        ];
+        let solution = Solution::of(Instance::of(template, None, &set).expect("the data"));
+        let marking = grade::mark(&solution, eom.expect("the part"), TYPED);
+        let found = marking.verdict == Verdict::Right;
+        assert_eq!(found, is_right, "{mass}: {:?}", marking.remarks);
+    }
+}
