@@ -62,6 +62,9 @@ fn mark_typed(solution: &Solution<'_>, place: usize, response: &TypedResponse<'_
     if typed.is_empty() {
         return Marking::missing();
     }
+    if response.is_too_long() {
+        return Marking::unreadable(Why::LongerThan(MAX_RESPONSE_LENGTH));
+    }
     recalled(solution, place, response, || {
         let marking = match folded(solution, place, response) {
             Ok((marker, folded)) => bounded(|| {
