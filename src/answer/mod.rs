@@ -70,8 +70,8 @@ use crate::document::Document;
 use crate::expr::{Equation, Name, Precise};
 use crate::numerics::Complex;
 use crate::quantity::{Absent, Evaluation, NodeId};
+use crate::response::{AskedBound, Passage};
 pub use crate::response::{At, Trouble};
-use crate::response::{Bound, Passage};
 use crate::source::{Table, Value};
 use crate::unit::Unit;
 
@@ -103,7 +103,7 @@ pub trait Answer: Send + Sync {
     }
 
     /// The bound of a quantity that is asked for, where it is one.
-    fn bound(&self) -> Option<Bound> {
+    fn bound(&self) -> Option<AskedBound> {
         None
     }
 

@@ -5,7 +5,7 @@ use crate::expr::{self, Name, Shape, Type};
 use crate::math::symbol;
 use crate::quantity::NodeId;
 use crate::response::{
-    Bound, Folded, Label, Lexicon, Manner, Passage, label_behind, label_in_front, parted,
+    AskedBound, Folded, Label, Lexicon, Manner, Passage, label_behind, label_in_front, parted,
 };
 use crate::unit::{Dimension, Rational, Unit};
 
@@ -26,7 +26,7 @@ pub(crate) struct Naming {
     customary: Vec<&'static str>,
     is_formula: bool,
     /// The bound that is asked, where one is.
-    bound: Option<Bound>,
+    bound: Option<AskedBound>,
     /// Whether one value is asked, be it of several components.
     is_one: bool,
     is_matrix: bool,
@@ -105,7 +105,7 @@ impl Naming {
 
     /// The same where the bound of a quantity is asked.
     #[must_use]
-    pub(crate) fn with_bound(self, bound: Option<Bound>) -> Self {
+    pub(crate) fn with_bound(self, bound: Option<AskedBound>) -> Self {
         Self { bound, ..self }
     }
 

@@ -31,6 +31,7 @@ impl Rule {
     ];
 
     /// Those that ask what is drawn.
+    #[cfg(feature = "render")]
     const BY_DRAWS: &[Code] = &[
         Code::CHECK_MISTAKE_RIGHT,
         Code::CHECK_MISTAKE_UNMET,
@@ -57,6 +58,7 @@ impl Rule {
     }
 
     /// Whether it finds the same however many draws are examined.
+    #[cfg(feature = "render")]
     pub(crate) fn holds_for_all_draws(self) -> bool {
         !Self::BY_DRAWS.contains(&self.0)
     }

@@ -6,7 +6,7 @@ use super::answering::answering;
 use super::error::At;
 use super::fold::{OneWidth, folded, is_plain};
 use super::passage::Passage;
-use super::ranges::Bound;
+use super::ranges::AskedBound;
 use super::signs::{is_digit, is_minus};
 use vibank_source::Span;
 
@@ -160,7 +160,7 @@ impl<'t> Folded<'t> {
     }
 
     /// Where the bound of a quantity of such a name stands, if that is all it says: `k ≤ 251`.
-    pub fn bound(&self, bound: Bound, is_name: impl Fn(Passage<'_>) -> bool) -> Option<Span> {
+    pub fn bound(&self, bound: AskedBound, is_name: impl Fn(Passage<'_>) -> bool) -> Option<Span> {
         bound.place(self.text(), is_name)
     }
 

@@ -117,7 +117,7 @@ pub use nothing::unit_of_zero;
 pub use passage::Passage;
 pub use phrase::Phrase;
 pub use pieces::FunctionPiece;
-pub use ranges::{Bound, Bounding, Condition, Group, RangeError, Ranges, Said};
+pub use ranges::{AskedBound, Bounding, Condition, Group, RangeError, Ranges, Said};
 pub use reworded::Reworded;
 pub use senses::Senses;
 pub use stated::Stated;

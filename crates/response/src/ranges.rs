@@ -16,7 +16,7 @@ mod said;
 
 use std::ops::Range;
 
-pub use self::bound::Bound;
+pub use self::bound::AskedBound;
 use self::marks::{CALLS, INTERSECTION, Mark, Marked, marks};
 use self::said::{condition_said, in_words, without_said_ends};
 use super::answering::without_condition;

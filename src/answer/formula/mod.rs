@@ -34,7 +34,7 @@ use super::{
 use crate::expr::{Expr, Field, Name, Shape, Type};
 use crate::numerics::SortedMap;
 use crate::quantity::{Absent, Evaluation, NodeId};
-use crate::response::{Bound, Lexicon};
+use crate::response::{AskedBound, Lexicon};
 use crate::source::{Table, Text};
 use crate::unit::Unit;
 
@@ -45,7 +45,7 @@ pub(crate) struct Formula {
     /// Whether it changes with time: it uses `t` or a coordinate.
     moves: bool,
     /// The bound that its value is.
-    bound: Option<Bound>,
+    bound: Option<AskedBound>,
     /// The numeric answer by which a response is marked that gives the value of the formula; none where the formula moves.
     value: Option<Box<dyn Answer>>,
 }
@@ -170,7 +170,7 @@ impl Answer for Formula {
         vec![self.key]
     }
 
-    fn bound(&self) -> Option<Bound> {
+    fn bound(&self) -> Option<AskedBound> {
         self.bound
     }
 

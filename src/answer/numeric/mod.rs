@@ -38,7 +38,7 @@ use super::{
 };
 use crate::expr::{Field, Form, Shape, Type};
 use crate::quantity::{Absent, NodeId};
-use crate::response::{Bound, Wording};
+use crate::response::{AskedBound, Wording};
 use crate::source::{Table, Text};
 use crate::unit::{Quantity, Unit};
 
@@ -64,7 +64,7 @@ struct Numeric {
     /// Where the item asks for a cyclic answer, in SI units.
     within: Option<[f64; 2]>,
     /// The bound that it is.
-    bound: Option<Bound>,
+    bound: Option<AskedBound>,
     is_complex: bool,
     is_list: bool,
     is_ordered: bool,
@@ -292,7 +292,7 @@ impl Answer for Numeric {
         Some(self.unit).filter(|unit| !unit.is_one())
     }
 
-    fn bound(&self) -> Option<Bound> {
+    fn bound(&self) -> Option<AskedBound> {
         self.bound
     }
 

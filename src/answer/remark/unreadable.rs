@@ -195,9 +195,9 @@ pub enum Why {
     Figures {
         /// The number of significant figures that are asked for.
         asked: u32,
-        /// The number.
+        /// The number as it was typed.
         number: String,
-        /// How many it has.
+        /// The significant figures of the number.
         has: u32,
     },
     /// Values in place of the letters of the question.

@@ -6,14 +6,14 @@ use vibank_source::Span;
 
 /// The bound of a quantity that is asked.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Bound {
+pub enum AskedBound {
     /// The smallest value.
     Lower,
     /// The largest value.
     Upper,
 }
 
-impl Bound {
+impl AskedBound {
     /// Where it stands in a text that says of a quantity of such a name that it lies on the side which the bound allows:
     /// `k ≤ 251`, `251 ≥ k`, `0 < k ≤ 251`, and `≤ 251` without a name.
     pub(crate) fn place(self, text: &str, is_name: impl Fn(Passage<'_>) -> bool) -> Option<Span> {
@@ -49,7 +49,7 @@ impl Bound {
 mod tests {
     use super::*;
 
-    fn found(bound: Bound, text: &str) -> Option<&str> {
+    fn found(bound: AskedBound, text: &str) -> Option<&str> {
         let is_name = |side: Passage<'_>| side.is("k");
         bound.place(text, is_name).map(|at| text[at.range()].trim())
     }
@@ -57,10 +57,10 @@ mod tests {
     #[test]
     fn a_bound_stands_on_the_side_that_is_asked() {
         for text in ["k ≤ 251", "k < 251", "251 ≥ k", "0 < k ≤ 251", "≤ 251"] {
-            assert_eq!(found(Bound::Upper, text), Some("251"), "{text}");
-            assert_eq!(found(Bound::Lower, text), None, "{text}");
+            assert_eq!(found(AskedBound::Upper, text), Some("251"), "{text}");
+            assert_eq!(found(AskedBound::Lower, text), None, "{text}");
         }
-        assert_eq!(found(Bound::Lower, "k > m g/l"), Some("m g/l"));
+        assert_eq!(found(AskedBound::Lower, "k > m g/l"), Some("m g/l"));
         for text in [
             "251",
             "c ≤ 251",
@@ -68,7 +68,7 @@ mod tests {
             "251 > k > 0",
             "k ≤ 1 ≤ 2 ≤ 3",
         ] {
-            assert_eq!(found(Bound::Upper, text), None, "{text}");
+            assert_eq!(found(AskedBound::Upper, text), None, "{text}");
         }
     }
 }
