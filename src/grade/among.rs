@@ -2,7 +2,7 @@
 
 use super::bound::bounded;
 use super::typed::TypedResponse;
-use super::{mark_typed, marked_again, recalled, silence};
+use super::{mark_typed, marked_again, may_answer, recalled, silence};
 use crate::answer::{Beside, Marking};
 use crate::response::{Folded, Passage, Reworded, withdrawn};
 use crate::solution::Solution;
@@ -63,7 +63,7 @@ fn marked_beside(
             let kind = parts[place].answer.kind();
             let mark = |response: Passage<'_>| marker.mark_beside(response, &others);
             let naming = &parts[place].naming;
-            let may_answer = |other: &Reworded| naming.check(other.passage()).is_ok();
+            let may_answer = |other: &Reworded| may_answer(naming, marker, other);
             let marked = || marked_again(kind, folded.passage(), may_answer, mark);
             let marking = bounded(|| marked().in_typed(folded));
             silence::heard(response.typed(), marking)

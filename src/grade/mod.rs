@@ -21,7 +21,7 @@ pub use pattern::pattern;
 pub use points::{of_marking, rounded, standing};
 pub use responses::{Given, Place, Responses, Row, RowError};
 
-use crate::answer::{AnswerKind, Credit, Echo, Marker, Marking, Unreadable, Verdict, Why};
+use crate::answer::{AnswerKind, Credit, Echo, Marker, Marking, Naming, Unreadable, Verdict, Why};
 use crate::response::{Folded, Passage, Reworded, withdrawn};
 use crate::solution::Solution;
 use crate::unit::DecimalMark;
@@ -71,10 +71,7 @@ fn mark_typed(solution: &Solution<'_>, place: usize, response: &TypedResponse<'_
                 let kind = solution.template().parts[place].answer.kind();
                 let mark = |response: Passage<'_>| marker.mark(response);
                 let naming = &solution.template().parts[place].naming;
-                let may_answer = |other: &Reworded| {
-                    naming.check(other.passage()).is_ok()
-                        && other.conditions().all(|own| marker.may_hold(own))
-                };
+                let may_answer = |other: &Reworded| may_answer(naming, marker, other);
                 marked_again(kind, folded.passage(), may_answer, mark).in_typed(&folded)
             }),
             Err(why) => Marking::unreadable(why),
@@ -103,11 +100,17 @@ fn recalled(
     marking
 }
 
+/// Whether what is read in place of a response names no other quantity than the one that is asked, and no condition that
+/// never holds.
+fn may_answer(naming: &Naming, marker: &dyn Marker, other: &Reworded) -> bool {
+    naming.check(other.passage()).is_ok() && other.conditions().all(|own| marker.may_hold(own))
+}
+
 /// A longer answer is no answer with something said beside it, and takes its time for each way to read it.
 const MAX_SAID: usize = 400;
 
-/// The marking of a response; where that cannot be read, and another way to read it is right that may answer, since it
-/// names no other quantity than the one that is asked and no condition that never holds, the marking by that.
+/// The marking of a response; where that cannot be read, and another way to read it is right that may answer, the marking
+/// by that.
 fn marked_again(
     kind: AnswerKind,
     response: Passage<'_>,

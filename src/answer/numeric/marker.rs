@@ -2,11 +2,10 @@
 
 use std::sync::Arc;
 
-use super::MIN_FIGURES;
 use super::bands::bands;
 use super::list::{List, list, mark_list};
 use super::read::{self, Setting, TypedNumber};
-use super::slip::{mixes_energy_and_moment, slip};
+use super::slip::{mixes_energy_and_moment, rounded_too_far, slip};
 use super::target::{Target, Typed, pair};
 use super::trial;
 use super::words::{angles, counts, gram, meant};
@@ -123,25 +122,12 @@ impl Numbers {
             return marking;
         }
         if self.doubt != Doubt::Benefit
-            && let Some(why) = self.rounded_too_far(target, typed, number)
+            && let Some(why) = rounded_too_far(self, typed, number)
         {
             return Marking::unreadable(why);
         }
         let slip = slip(self, &[typed], &quantity.unit);
         Marking::wrong(reading, slip.map(Remark::from))
-    }
-
-    /// What is said of a number outside of the tolerance that is the key, rounded to fewer figures than are asked for.
-    fn rounded_too_far(&self, target: &Target, typed: Typed, number: &TypedNumber) -> Option<Why> {
-        let decimal = &number.quantity.value;
-        let (asked, has) = (self.figures, decimal.significant_figures());
-        // With two figures much is rounded to the same.
-        let is_rounded = (MIN_FIGURES..asked).contains(&has) && number.arithmetic.is_none();
-        let place = Quantity::new(decimal.last_place(), number.quantity.unit);
-        let half = 0.5 * self.si(&place).ok()?.hi().abs() + target.slack();
-        let is_near = target.distance(typed, self.modulo) <= half;
-        let number = decimal.to_string();
-        (is_rounded && is_near).then_some(Why::Figures { asked, number, has })
     }
 
     /// What is said of an angle that is right but for whole turns, where it is asked within an interval.

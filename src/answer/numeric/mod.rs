@@ -25,6 +25,7 @@ mod complex;
 mod list;
 mod marker;
 mod read;
+mod restated;
 mod slip;
 mod target;
 mod trial;

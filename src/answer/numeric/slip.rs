@@ -2,11 +2,13 @@
 
 use std::f64::consts::TAU;
 
+use super::MIN_FIGURES;
 use super::marker::Numbers;
+use super::read::TypedNumber;
 use super::target::{Typed, pair};
-use crate::answer::{Close, Decades, Negated, Slip, TwoPi};
+use crate::answer::{Close, Decades, Negated, Slip, TwoPi, Why};
 use crate::numerics::{Dd, powi};
-use crate::unit::{Dimension, Unit};
+use crate::unit::{Dimension, Quantity, Unit};
 
 /// A degree in radians.
 const DEGREE: f64 = TAU / 360.0;
@@ -59,6 +61,21 @@ pub(crate) fn slip(key: &Numbers, typed: &[Typed], unit: &Unit) -> Option<Slip> 
         return Some(Slip::Near(Close::Rounding));
     }
     None
+}
+
+/// What is said of a number that is the key, rounded to fewer figures than are asked for.
+pub(crate) fn rounded_too_far(key: &Numbers, typed: Typed, number: &TypedNumber) -> Option<Why> {
+    let decimal = &number.quantity.value;
+    let (asked, has) = (key.figures, decimal.significant_figures());
+    // With two figures much is rounded to the same.
+    if !(MIN_FIGURES..asked).contains(&has) || number.arithmetic.is_some() {
+        return None;
+    }
+    let (target, place) = (&key.targets[0], decimal.last_place());
+    let place = key.si(&Quantity::new(place, number.quantity.unit)).ok()?;
+    let is_near = target.distance(typed, key.modulo) <= 0.5 * place.hi().abs() + target.slack();
+    let number = decimal.to_string();
+    is_near.then_some(Why::Figures { asked, number, has })
 }
 
 /// Where a factor 2π slipped.
