@@ -464,10 +464,10 @@ impl<'f> NumberedFigure<'f> {
             })
     }
 
-    /// What a link that is cut, or a force that is shown, is called.
+    /// What a link that is cut, or a force that is shown, is called; what has no name of its own acts by a force.
     fn noun(&self, item: usize) -> Noun {
         let noun = self.items[item].kind.role().noun();
-        noun.expect("links and forces have names of their own")
+        noun.unwrap_or(Noun::FORCE)
     }
 
     fn link(&self, item: usize) -> String {
