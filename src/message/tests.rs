@@ -234,6 +234,7 @@ fn notes() -> Vec<Note> {
         Note::OthersBelongElsewhere,
         Note::OtherForm,
         Note::WithValues,
+        Note::ByTextbooks,
         Note::RoundedNumbers,
         Note::ConstantsToSpare {
             needed: 4,

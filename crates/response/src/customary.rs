@@ -55,6 +55,42 @@ pub(crate) fn indexed_frequencies() -> impl Iterator<Item = String> {
     letters.flat_map(|letter| INDICES.map(|index| format!("{letter}{index}")))
 }
 
+/// Symbols of the field with what textbooks define them by, in the letters of a spring, a circuit or a pendulum; the first
+/// formula counts whose letters a question has.
+const TEXTBOOK: [(&[&str], &[&str]); 3] = [
+    (
+        &["omegan", "omega0", "omega", "wn", "w0", "w"],
+        &["sqrt(k/m)", "1/sqrt(L C)", "sqrt(g/ell)"],
+    ),
+    (&DAMPING_RATIOS, &["c/(2 sqrt(k m))", "R/2 sqrt(C/L)"]),
+    (&DECAY_RATES, &["c/(2 m)", "R/(2 L)"]),
+];
+
+/// Letters for the frequency of the excitation where it has none of its own beside it.
+const EXCITATION: (&[&str], &[&str]) = (&["omega", "w"], &["Omega"]);
+
+/// The symbols of the field that a text may leave open, each with its formula as `read` has it.
+pub(crate) fn of_textbooks(
+    text: &str,
+    read: impl Fn(&str) -> Option<Expr>,
+) -> Vec<(&'static str, Expr)> {
+    let has_excitation = text.contains("Omega") || text.contains('Ω');
+    let excitation = (!has_excitation).then_some(EXCITATION).into_iter();
+    let mut found: Vec<(&str, Expr)> = Vec::new();
+    for (symbols, formulas) in excitation.chain(TEXTBOOK) {
+        let Some(formula) = formulas.iter().find_map(|formula| read(formula)) else {
+            continue;
+        };
+        let open = symbols.iter().filter(|own| read(own).is_none());
+        for symbol in open {
+            if found.iter().all(|(other, _)| other != symbol) {
+                found.push((symbol, formula.clone()));
+            }
+        }
+    }
+    found
+}
+
 /// Whether a text is a symbol of the field that many questions leave to be defined, ω_n, ζ or λ.
 pub fn is_customary(text: &str) -> bool {
     let own = Letters::spelling(text.trim_start_matches('\\'));

@@ -2,7 +2,7 @@
 //! their place.
 
 use super::arguments::{is_initial_state, without_arguments};
-use super::customary::{DAMPING_RATIOS, DECAY_RATES, RATES};
+use super::customary::{DAMPING_RATIOS, DECAY_RATES, RATES, of_textbooks};
 use super::differential::spelling;
 use super::list::{cut_where, trimmed};
 use super::sides::is_word;
@@ -14,6 +14,17 @@ use super::{
 use vibank_formula::expr::{Expr, Function, Kind, Name, Operator, Substitution};
 use vibank_formula::unit::Unit;
 use vibank_source::Span;
+
+/// What defines the letters of equations that the question does not have, beside the custom of the field.
+#[derive(Clone, Copy, Debug, Eq, PartialEq)]
+pub enum Defining {
+    /// Other statements.
+    Statements,
+    /// Other statements, of letters of the question, too.
+    Anew,
+    /// Textbooks, of the natural frequency, the damping ratio and the decay rate.
+    Textbooks,
+}
 
 /// What a statement says that a letter is.
 #[derive(Clone, Debug)]
@@ -33,6 +44,22 @@ pub(crate) struct Definition {
     pub(crate) values: Vec<Span>,
     /// What it is by the custom of the field.
     pub(crate) formula: Option<Expr>,
+}
+
+impl Definition {
+    /// Of a letter that the question does not have, by the custom of the field.
+    fn of_custom(letter: &str, formula: Expr) -> Self {
+        Self {
+            name: Name::new(letter),
+            order: 0,
+            is_square: false,
+            factor: None,
+            is_known: false,
+            is_of_question: false,
+            values: Vec::new(),
+            formula: Some(formula),
+        }
+    }
 }
 
 /// A letter before or after an equals sign.
@@ -146,8 +173,9 @@ pub(crate) fn defined_chains(
     text: &str,
     lexicon: &Lexicon,
     manner: Manner,
-    may_redefine: bool,
+    defining: Defining,
 ) -> Option<Result<Vec<Typed<Chain>>, TypedError>> {
+    let may_redefine = defining == Defining::Anew;
     let mut all = statements(text);
     if let [first, _, ..] = all[..]
         && !text[first.range()].contains(|char| !is_of_word(char) && !" .".contains(char))
@@ -193,8 +221,14 @@ pub(crate) fn defined_chains(
     });
     let behind: Vec<Name> = behind.map(|(own, _)| own.name.clone()).collect();
     let mut definitions: Vec<Definition> = definitions.into_iter().map(|(own, _)| own).collect();
-    let customary = customary(lexicon).into_iter();
+    let mut customary = customary(lexicon);
+    if defining == Defining::Textbooks {
+        let read = |formula: &str| Some(super::formula(formula, lexicon, manner).ok()?.value);
+        let open = of_textbooks(text, read).into_iter();
+        customary.extend(open.map(|(symbol, formula)| Definition::of_custom(symbol, formula)));
+    }
     let customary: Vec<Definition> = customary
+        .into_iter()
         .filter(|own| definitions.iter().all(|other| other.name != own.name))
         .collect();
     definitions.extend(customary);
@@ -264,15 +298,8 @@ fn customary(lexicon: &Lexicon) -> Vec<Definition> {
         let free = rates.iter().filter(|(letter, _)| {
             lexicon.reads(letter).is_none() && lexicon.forbidden(letter).is_none()
         });
-        found.extend(free.map(|(letter, order)| Definition {
-            name: Name::new(*letter),
-            order: 0,
-            is_square: false,
-            factor: None,
-            is_known: false,
-            is_of_question: false,
-            values: Vec::new(),
-            formula: Some(Expr::name(coordinate.clone()).prime(*order)),
+        found.extend(free.map(|(letter, order)| {
+            Definition::of_custom(letter, Expr::name(coordinate.clone()).prime(*order))
         }));
     }
     found

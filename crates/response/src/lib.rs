@@ -105,6 +105,7 @@ mod words;
 pub use amount::{Amount, Number, has_pi};
 pub use before_unit::BeforeUnit;
 pub use customary::{E_FOR_EPSILON, L_FOR_ELL, is_customary};
+pub use defined::Defining;
 pub use error::TypedError;
 pub use error::{At, Trouble, ValueTrouble};
 pub use folded::{Folded, LoneDollar};

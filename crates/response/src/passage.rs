@@ -3,6 +3,7 @@
 use std::fmt;
 
 use super::before_unit::{BeforeUnit, before_units};
+use super::defined::Defining;
 use super::list::{Listed, Wanted};
 use super::measured::{self, Measured};
 use super::naming;
@@ -193,9 +194,9 @@ impl<'t> Passage<'t> {
         self,
         lexicon: &Lexicon,
         manner: Manner,
-        may_redefine: bool,
+        defining: Defining,
     ) -> Option<Result<Vec<Typed<Chain>>, TypedError>> {
-        super::defined::defined_chains(self.0, lexicon, manner, may_redefine)
+        super::defined::defined_chains(self.0, lexicon, manner, defining)
     }
 
     /// Its equations, cut at semicolons, line ends, and commas or `and` between equations.

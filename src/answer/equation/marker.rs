@@ -18,7 +18,7 @@ use crate::answer::{
 };
 use crate::expr::{Equation, Expr, Kind, Name, Program};
 use crate::numerics::{Rational, SortedMap};
-use crate::response::Passage;
+use crate::response::{Defining, Passage};
 use crate::work;
 
 /// A prepared key.
@@ -182,7 +182,8 @@ impl Marker for Prepared {
     }
 
     fn echo(&self, response: Passage<'_>) -> Result<Echo, Unreadable> {
-        let equations = read::equations(&self.setup, response)?;
+        let equations = read::equations(&self.setup, response)
+            .or_else(|why| read::by_textbooks(&self.setup, response, &why).ok_or(why))?;
         Ok(Echo::of_reading(self.setup.reading(&equations)))
     }
 
@@ -194,7 +195,10 @@ impl Marker for Prepared {
         let setup = &self.setup;
         let equations = match read::equations(setup, response) {
             Ok(equations) => equations,
-            Err(why) => return Marking::unreadable(why),
+            Err(why) => {
+                let right = self.right_by_textbooks(response, &why, others);
+                return right.unwrap_or_else(|| Marking::unreadable(why));
+            }
         };
         let candidate = |equations: Vec<Equation>| Candidate {
             shown: written(&equations),
@@ -225,7 +229,7 @@ impl Marker for Prepared {
             return right;
         }
         // `M x'' + … = 0, M = 3m/2`, where M is a letter of the question, too.
-        let defined = read::defined(setup, response, true);
+        let defined = read::defined(setup, response, Defining::Anew);
         let defined = defined.map(|equations| self.judged(equations, others));
         defined
             .filter(|defined| defined.verdict == Verdict::Right)
@@ -249,6 +253,27 @@ impl Marker for Prepared {
 }
 
 impl Prepared {
+    /// The marking of a response that leaves symbols of the field open, `ẍ + ω_n² x = 0`, where it is right as textbooks
+    /// define these. Where it is not, it may have meant them otherwise.
+    fn right_by_textbooks(
+        &self,
+        response: Passage<'_>,
+        why: &Unreadable,
+        others: &[Beside<'_>],
+    ) -> Option<Marking> {
+        // With the values of one instance letters that go against the dimensions could be right by chance.
+        if self.choices.of_one_instance().is_some() {
+            return None;
+        }
+        let equations = read::by_textbooks(&self.setup, response, why)?;
+        let marking = self.judged(equations, others);
+        let reading = marking
+            .reading
+            .filter(|_| marking.verdict == Verdict::Right)?;
+        let note = Remark::from(Note::ByTextbooks);
+        Some(Marking::read(reading, Credit::FULL, note))
+    }
+
     /// Whether equations are the key but for the rounding of their numbers: of coefficients, `0.333 m l² θ''`, or where
     /// the values stand for the letters, of these.
     fn is_rounded(&self, equations: &[Equation]) -> bool {
@@ -258,10 +283,8 @@ impl Prepared {
     }
 
     fn are_rounded_values(&self, equations: &[Equation]) -> bool {
-        match &self.choices.points[..] {
-            [points] => self.are_rounded_for(equations, points),
-            _ => false,
-        }
+        let points = self.choices.of_one_instance();
+        points.is_some_and(|points| self.are_rounded_for(equations, points))
     }
 
     /// Some of several equations, where each other one is the key once more with the values of the sheet in place of

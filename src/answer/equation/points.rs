@@ -47,6 +47,14 @@ impl Choices {
         Self::at(vec![of_instance(setup, key, data)], key)
     }
 
+    /// Its points, where the data are those of an instance alone.
+    pub(crate) fn of_one_instance(&self) -> Option<&Choice> {
+        match &self.points[..] {
+            [points] => Some(points),
+            _ => None,
+        }
+    }
+
     fn at(points: Vec<Choice>, key: &[Program]) -> Self {
         let key: Vec<&Program> = key.iter().collect();
         let spaces = points.iter().map(|points| RowSpace::of(&key, points));

@@ -3,7 +3,7 @@
 use super::Setup;
 use crate::answer::{Unreadable, Why};
 use crate::expr::{Equation, Expr, Relation};
-use crate::response::{Chain, Manner, Passage, Trouble, Typed, unit_of_zero};
+use crate::response::{Chain, Defining, Manner, Passage, Trouble, Typed, unit_of_zero};
 
 /// The equations that a response is; where others say what letters mean that the question does not have, with
 /// these in their place.
@@ -17,10 +17,20 @@ pub(crate) fn equations(setup: &Setup, response: Passage<'_>) -> Result<Vec<Equa
         // `[M][x''] + [K][x] = 0`
         let rows = response.equations_of_matrices();
         rows.and_then(|rows| alone(setup, rows.passage(), Manner::REAL).ok())
-            .or_else(|| (!is_beside).then(|| defined(setup, response, false))?)
+            .or_else(|| (!is_beside).then(|| defined(setup, response, Defining::Statements))?)
             .or_else(|| alone(setup, response, Manner::REAL.in_any_case()).ok())
             .ok_or(why)
     })
+}
+
+/// The equations of a response that leaves symbols of the field open, as textbooks define these.
+pub(crate) fn by_textbooks(
+    setup: &Setup,
+    response: Passage<'_>,
+    why: &Unreadable,
+) -> Option<Vec<Equation>> {
+    let is_of_formula = matches!(*why.why, Why::Formula(_));
+    is_of_formula.then(|| defined(setup, response, Defining::Textbooks))?
 }
 
 /// What else a response of one equation may be meant as, of the same dimension: `k l^2/4θ`.
@@ -43,14 +53,14 @@ pub(crate) fn others(
         .collect()
 }
 
-/// The equations of a response whose other statements define letters; those of the question, too, where they may be defined anew.
+/// The equations of a response in which letters are defined beside the question.
 pub(crate) fn defined(
     setup: &Setup,
     response: Passage<'_>,
-    may_redefine: bool,
+    defining: Defining,
 ) -> Option<Vec<Equation>> {
     let chains = response
-        .defined_chains(&setup.lexicon, Manner::REAL, may_redefine)?
+        .defined_chains(&setup.lexicon, Manner::REAL, defining)?
         .ok()?;
     let mut found = Vec::new();
     for chain in chains {

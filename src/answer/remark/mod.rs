@@ -121,6 +121,8 @@ pub enum Note {
     OtherForm,
     /// Right with the values of the sheet in place of letters.
     WithValues,
+    /// Right with symbols that the response leaves open as textbooks define them.
+    ByTextbooks,
     /// Right but for the rounding of the numbers in a formula.
     RoundedNumbers,
     /// More free constants than it needs.

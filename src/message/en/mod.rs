@@ -150,6 +150,10 @@ fn note(note: &Note) -> String {
         Note::WithValues => {
             "Right with the values of this sheet; with letters it holds for all values.".to_owned()
         }
+        Note::ByTextbooks => {
+            "Right, with symbols that the question does not have as textbooks define them; say what they are."
+                .to_owned()
+        }
         Note::RoundedNumbers => {
             "Right; its numbers are rounded, and are asked for exactly.".to_owned()
         }

@@ -161,6 +161,9 @@ fn note(note: &Note) -> String {
         Note::WithValues => {
             "C’est juste avec les valeurs de cette feuille ; avec des lettres, ce le serait pour toutes.".to_owned()
         }
+        Note::ByTextbooks => {
+            "C’est juste, avec les symboles absents de l’énoncé tels que les manuels les définissent ; dites ce qu’ils sont.".to_owned()
+        }
         Note::RoundedNumbers => {
             "C’est juste ; les nombres sont arrondis, on les demande exacts.".to_owned()
         }
