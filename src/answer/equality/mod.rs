@@ -94,6 +94,27 @@ impl Comparable {
         self.program.form().field == Field::Complex
     }
 
+    /// Whether another function comes near this one, within a part of it, for data of an instance and any values of
+    /// what is none.
+    pub(crate) fn is_near(
+        &self,
+        other: &Self,
+        meaning: &Meaning,
+        data: Vec<Option<f64>>,
+        part: f64,
+    ) -> bool {
+        let mut around = Around::new(meaning, data);
+        let (data, mut rooms) = (around.free_point(0.0), Rooms::default());
+        let mut points = (0..MIN_COUNT).map(|_| around.point_beside(&data, 0.6));
+        points.all(
+            |point| match rooms.at(&self.program, &other.program, &point) {
+                AtPoint::Same | AtPoint::Close { .. } => true,
+                AtPoint::Different { part: own, .. } => own <= part,
+                AtPoint::Undefined | AtPoint::Undecided => false,
+            },
+        )
+    }
+
     fn residues(&self, other: &Self) -> Option<bool> {
         self.residue?.same(other.residue?)
     }

@@ -12,7 +12,7 @@ use crate::answer::{
     Answered, Close, Credit, Doubt, Echo, Key, Marker, Marking, Misfit, Nature, Note, Reading,
     Reason, Remark, Slip, Trial, Unreadable, Verdict, Why,
 };
-use crate::expr::{Expr, Field, Function, Kind, Operator, Substitution};
+use crate::expr::{Expr, Field, Function, Kind, Name, Operator, Substitution};
 use crate::math::symbol;
 use crate::numerics::SortedMap;
 use crate::response::{
@@ -27,6 +27,8 @@ pub(crate) struct Prepared {
     pub(crate) points: Arc<Points>,
     pub(crate) mistakes: Vec<Mistake>,
     pub(crate) recalled: Option<Arc<Recalled>>,
+    /// The data of the instance, by input.
+    pub(crate) data: Vec<Option<f64>>,
     pub(crate) mark: DecimalMark,
     pub(crate) doubt: Doubt,
 }
@@ -223,6 +225,9 @@ impl Prepared {
             return Marking::mistake(reading, mistake.number, mistake.credit);
         }
         if let Some(misfit) = misfit {
+            if self.has_values(expr, &typed) {
+                return Marking::unreadable(Why::ValuesForLetters);
+            }
             return Marking::wrong(reading, Remark::from(misfit.clone()));
         }
         if comparison == Comparison::Undecided {
@@ -230,6 +235,25 @@ impl Prepared {
         }
         let slip = slip(&comparison, expr, setup.kind.dimension());
         Marking::wrong(reading, slip.map(Remark::from))
+    }
+
+    /// Whether values of the sheet stand in a formula where the key has letters, `0.8 cos θ` for `ℓ cos θ`.
+    fn has_values(&self, expr: &Expr, typed: &Comparable) -> bool {
+        // Values are rounded to three figures.
+        const ROUNDING: f64 = 5e-3;
+        let meaning = &self.setup.meaning;
+        // One as a value is not written: a letter that is missing is missing.
+        let is_written = |letter: &Name| {
+            let place = meaning.place(letter);
+            place.and_then(|place| self.data[place]) != Some(1.0)
+        };
+        let used = expr.names();
+        let letters = self.setup.shown.names().free.into_iter();
+        let mut missing = letters.filter(|own| !used.uses(&own.name));
+        missing.any(|own| is_written(&own.name))
+            && self
+                .key
+                .is_near(typed, meaning, self.data.clone(), ROUNDING)
     }
 
     fn comparable(&self, expr: &Expr) -> Option<Comparable> {

@@ -206,7 +206,8 @@ impl Answer for Formula {
             label: "key".into(),
             of: Vec::new(),
         })?;
-        let signs = Signs::of(&setup.meaning.values(&context.evaluation));
+        let data = setup.meaning.values(&context.evaluation);
+        let signs = Signs::of(&data);
         let around = || Points::around(&setup.meaning, &context.sampling, &signs, &[&key]);
         let points = setup.points.kept(&signs, context, around);
         let mistakes = context.mistakes.iter().filter_map(|mistaken| {
@@ -228,6 +229,7 @@ impl Answer for Formula {
             points,
             mistakes,
             recalled: setup.right.on(signs, context),
+            data,
             mark: context.mark,
             doubt: context.doubt,
         }))

@@ -183,7 +183,7 @@ fn why(why: &Why) -> String {
                 .to_owned()
         }
         Why::ValuesForLetters => {
-            "write the equation with the letters of the question, not with their values.".to_owned()
+            "write it with the letters of the question, not with their values.".to_owned()
         }
 
         Why::EntriesAsNumbers => "give the entries as numbers.".to_owned(),

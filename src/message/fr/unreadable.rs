@@ -180,7 +180,7 @@ fn why(why: &Why) -> String {
                 .to_owned()
         }
         Why::ValuesForLetters => {
-            "écrivez l’équation avec les lettres de l’énoncé, pas avec leurs valeurs.".to_owned()
+            "écrivez cela avec les lettres de l’énoncé, pas avec leurs valeurs.".to_owned()
         }
 
         Why::EntriesAsNumbers => "donnez les éléments par des nombres.".to_owned(),
