@@ -247,10 +247,14 @@ impl Prepared {
             let place = meaning.place(letter);
             place.and_then(|place| self.data[place]) != Some(1.0)
         };
-        let used = expr.names();
-        let letters = self.setup.shown.names().free.into_iter();
-        let mut missing = letters.filter(|own| !used.uses(&own.name));
-        missing.any(|own| is_written(&own.name))
+        let (typed_letters, letters) = (expr.names(), self.setup.shown.names());
+        let mut missing = letters
+            .free
+            .iter()
+            .filter(|own| !typed_letters.uses(&own.name));
+        let has_no_others = typed_letters.free.iter().all(|own| letters.uses(&own.name));
+        has_no_others
+            && missing.any(|own| is_written(&own.name))
             && self
                 .key
                 .is_near(typed, meaning, self.data.clone(), ROUNDING)
