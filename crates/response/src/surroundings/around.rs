@@ -50,15 +50,19 @@ pub(crate) fn program(text: &str) -> Option<(usize, usize)> {
     if let Some((head, _)) = span.filter(|(head, _)| text.len() > head.len() + 2) {
         return Some((head.len(), if text.ends_with("\\}") { 2 } else { 1 }));
     }
-    let inner = text.strip_prefix('{')?.strip_suffix('}')?;
+    let between = |open: &str, close| text.strip_prefix(open)?.strip_suffix(close);
+    let (inner, length) = match between("\\{", "\\}") {
+        Some(inner) => (inner, 2),
+        None => (between("{", "}")?, 1),
+    };
     // `{x1(t) = …, x2(t) = …}`, as Maple gives solutions.
     let is_set = || {
-        let pieces = cut(inner, Span::new(0, inner.len()), &[',']);
+        let pieces = cut(inner, Span::new(0, inner.len()), &[',', ';']);
         let mut texts = pieces.iter().map(|piece| &inner[piece.range()]);
         let others = ['<', '>', '!', '|', '{', '}'];
         pieces.len() > 1 && texts.all(|text| text.contains('=') && !text.contains(others))
     };
-    (text.contains("->") && !inner.is_empty() || is_set()).then_some((1, 1))
+    (text.contains("->") && !inner.is_empty() || is_set()).then_some((length, length))
 }
 
 /// Whether brackets stand around a whole statement, `(x = 3 m)`.
