@@ -73,13 +73,14 @@ impl Prepared {
         })
     }
 
-    /// Whether equations are right with the values of the instance in place of letters.
-    fn is_right_for_the_data(&self, typed: &[Program]) -> bool {
+    /// Whether equations are right with the values of the instance in place of letters, be these rounded.
+    fn are_right_for_the_data(&self, equations: &[Equation], typed: &[Program]) -> bool {
         let (key, typed) = (
             self.key.iter().collect::<Vec<_>>(),
             typed.iter().collect::<Vec<_>>(),
         );
         Rows::of(&key, &typed, self.own()) == Rows::Same
+            || self.are_rounded_for(equations, self.own())
     }
 
     /// Whether numbers stand in equations where the key has data: in place of them all, or of some.
@@ -129,7 +130,7 @@ impl Prepared {
             return Marking::wrong(reading, Remark::from(Slip::OtherEquation));
         }
         let misfit = self.misfit(equations);
-        let are_right = || misfit.is_some() && self.is_right_for_the_data(typed);
+        let are_right = || misfit.is_some() && self.are_right_for_the_data(equations, typed);
         if self.has_values(equations, are_right) {
             return Marking::unreadable(Why::ValuesForLetters);
         }
@@ -271,8 +272,7 @@ impl Prepared {
             let own = std::slice::from_ref(own);
             let typed = || self.setup.compile(own, &SortedMap::new());
             self.has_values(own, || true)
-                && (typed().is_some_and(|typed| self.is_right_for_the_data(&typed))
-                    || self.are_rounded_for(own, self.own()))
+                && typed().is_some_and(|typed| self.are_right_for_the_data(own, &typed))
         };
         let (again, others): (Vec<_>, Vec<_>) = equations.iter().cloned().partition(is_again);
         (!again.is_empty() && !others.is_empty()).then_some(others)
