@@ -190,7 +190,9 @@ impl<'t> Folder<'t> {
             return self.write(digit.encode_utf8(&mut [0; 4]), width);
         }
         if char == '|' && self.has_barred_numbers {
-            return self.write(";", 1);
+            // Beside semicolons, `[1,2; 0,2 | 0,2; 2,2]`, it ends a row.
+            let sign = if self.typed.contains(';') { "\n" } else { ";" };
+            return self.write(sign, 1);
         }
         if let Some(length) = self.silent() {
             return self.write("", length);
