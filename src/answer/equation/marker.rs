@@ -18,7 +18,7 @@ use crate::answer::{
 };
 use crate::expr::{Equation, Expr, Kind, Name, Program};
 use crate::numerics::{Rational, SortedMap};
-use crate::response::Passage;
+use crate::response::{L_FOR_ELL, Passage};
 use crate::work;
 
 /// A prepared key.
@@ -195,7 +195,10 @@ impl Marker for Prepared {
         let setup = &self.setup;
         let equations = match read::equations(setup, response) {
             Ok(equations) => equations,
-            Err(why) => return Marking::unreadable(why),
+            Err(why) => {
+                let meant = self.right_with(L_FOR_ELL, response, others);
+                return meant.unwrap_or_else(|| Marking::unreadable(why));
+            }
         };
         let candidate = |equations: Vec<Equation>| Candidate {
             shown: written(&equations),
@@ -230,6 +233,7 @@ impl Marker for Prepared {
         let defined = defined.map(|equations| self.judged(equations, others));
         defined
             .filter(|defined| defined.verdict == Verdict::Right)
+            .or_else(|| self.right_with(L_FOR_ELL, response, others))
             .unwrap_or(marking)
     }
 
@@ -263,6 +267,17 @@ impl Prepared {
             [points] => self.are_rounded_for(equations, points),
             _ => false,
         }
+    }
+
+    /// The marking of equations with a letter for another one that it is alike, if they are right.
+    fn right_with(
+        &self,
+        custom: [&str; 2],
+        response: Passage<'_>,
+        others: &[Beside<'_>],
+    ) -> Option<Marking> {
+        let meant = read::with(custom, &self.setup, response)?;
+        Some(self.judged(meant, others)).filter(|meant| meant.verdict == Verdict::Right)
     }
 
     /// Some of several equations, where each other one is the key once more with the values of the sheet in place of
