@@ -98,7 +98,9 @@ pub(crate) fn said(text: &str, statement: Span, lexicon: &Lexicon, may_be_produc
     let (factor, multiplied) = multiple.unzip();
     // What a letter is, `k = ρgS`, is no letter of its own.
     let (first, last) = (
-        multiplied.or_else(|| read(sides.first(), may_be_product)),
+        multiplied
+            .or_else(|| read(sides.first(), may_be_product))
+            .or_else(|| redefined_constant(text, &sides, lexicon)),
         read(sides.last(), false),
     );
     let letter = match (first, last) {
@@ -419,6 +421,16 @@ pub(crate) fn letter(text: &str, lexicon: &Lexicon, may_be_product: bool) -> Opt
         }
     }
     own_letter(word, lexicon, squared.is_some())
+}
+
+/// The letter of a constant that is said to be something else than its value, `e = ε`.
+fn redefined_constant(text: &str, sides: &[Span], lexicon: &Lexicon) -> Option<Letter> {
+    let (first, others) = sides.split_first()?;
+    let word = text[first.range()].trim();
+    let typed = super::formula(word, lexicon, Manner::default()).ok()?;
+    let is_value = |side: &Span| is_value(text[side.range()].trim());
+    let is_other = matches!(typed.value.kind(), Kind::Constant(_)) && !others.iter().any(is_value);
+    is_other.then(|| own_letter(word, lexicon, false))?
 }
 
 /// A letter that the lexicon does not have, with its primes.

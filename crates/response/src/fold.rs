@@ -26,6 +26,7 @@ use super::signs::{
     MIDDLE_POINT, Plain, is_digit, is_minus, is_of_name, of_char, run_at, would_run,
 };
 use super::surroundings::answer_in;
+use super::words::is_function;
 use vibank_formula::unit::Unit;
 
 /// What was typed in one spelling, and where a piece begins in it and in what was typed.
@@ -190,7 +191,9 @@ impl<'t> Folder<'t> {
             return self.write(digit.encode_utf8(&mut [0; 4]), width);
         }
         if char == '|' && self.has_barred_numbers {
-            return self.write(";", 1);
+            // Beside semicolons, `[1,2; 0,2 | 0,2; 2,2]`, it ends a row.
+            let sign = if self.typed.contains(';') { "\n" } else { ";" };
+            return self.write(sign, 1);
         }
         if let Some(length) = self.silent() {
             return self.write("", length);
@@ -243,6 +246,9 @@ impl<'t> Folder<'t> {
         if char == '(' && self.is_before_unit_in_words() {
             return self.write("(", "(in ".len());
         }
+        if "〖〗".contains(char) && self.is_around_function(char) {
+            return self.write(" ", width);
+        }
         // `u = <1, 2>`, `u ∝ (1, 2)`
         let is_equal = char == '=' && self.is_before_chevrons();
         if is_equal || char == '∝' && self.is_before_list(width) {
@@ -274,6 +280,17 @@ impl<'t> Folder<'t> {
             && plain.chars().all(|char| char.is_ascii_alphanumeric())
             && self.typed[..self.at].ends_with(char::is_alphabetic);
         is_index.then_some((plain, index.len() + 3))
+    }
+
+    /// Whether the bracket here, which word processors do not show, is one around the name of a function, `〖cos〗^2`.
+    fn is_around_function(&self, bracket: char) -> bool {
+        let inner = match bracket {
+            '〖' => self.rest()[bracket.len_utf8()..].split_once('〗'),
+            _ => self.typed[..self.at]
+                .rsplit_once('〖')
+                .map(|(before, inner)| (inner, before)),
+        };
+        inner.is_some_and(|(inner, _)| is_function(inner))
     }
 
     /// Whether a unit in brackets is said with its preposition here, `(in rad/s)`.

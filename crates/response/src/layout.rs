@@ -244,7 +244,9 @@ fn rows_by_line(text: &str) -> String {
     let mut line_ends = text.match_indices('\n').map(|(at, _)| at);
     let mut commas = text.match_indices(',');
     let has_decimals = commas.all(|(at, _)| is_between_digits(&text, at));
-    let parts_entries = line_ends.any(&ends) && has_decimals && !text.contains(['&', '[', '(']);
+    let inner = &text[text.find('=').map_or(0, |label| label + 1)..];
+    let inner = inner.trim_start().strip_prefix(['[', '(']).unwrap_or(inner);
+    let parts_entries = line_ends.any(&ends) && has_decimals && !inner.contains(['&', '[', '(']);
     let signs = text.char_indices().map(|(at, char)| match char {
         '\n' if ends(at) => ';',
         '\n' => ' ',

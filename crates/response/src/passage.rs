@@ -329,6 +329,11 @@ impl<'t> Passage<'t> {
         Reworded::of(format!("1 {}", self.0))
     }
 
+    /// The root of the formula that it is.
+    pub fn root(self) -> Reworded {
+        Reworded::of(format!("sqrt({})", self.0))
+    }
+
     /// The word for what is counted, after a number: `2 periods`.
     pub fn counted(self) -> Option<Self> {
         counts::counted(self.0).map(Self::of)

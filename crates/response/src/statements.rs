@@ -2,7 +2,7 @@
 
 use super::list::{cut_where, trimmed};
 use super::sides::is_word;
-use super::signs::is_between_digits;
+use super::signs::{is_between_digits, is_digit, is_of_name};
 use super::words::STATEMENTS;
 use vibank_source::Span;
 
@@ -41,6 +41,7 @@ pub(crate) fn statements_by(text: &str, joint_at: impl Fn(&str) -> Option<usize>
         ';' | '\n' => true,
         '/' => is_before_sibling(text, at, first),
         ',' => !is_between_digits(text, at),
+        '.' => is_full_stop(text, at),
         ' ' => joint_at(&text[at + 1..]).is_some(),
         ':' => joint_at(&text[at..]).is_some(),
         char => RELATIONS.contains(&char),
@@ -82,6 +83,19 @@ pub(crate) fn statements_by(text: &str, joint_at: impl Fn(&str) -> Option<usize>
     if found.is_empty() { whole } else { found }
 }
 
+/// Whether the point at a place ends a statement before another one, `N = m g. m x'' = -μ N`.
+fn is_full_stop(text: &str, at: usize) -> bool {
+    let (before, behind) = (&text[..at], &text[at + 1..]);
+    let next = behind.strip_prefix([' ', '\n']).unwrap_or_default();
+    // `2. x = 3` may be the second one of a list.
+    let ends_in_number =
+        before.ends_with(is_digit) && !before.trim_end_matches(is_digit).ends_with(is_of_name);
+    before.contains(['=', '≈'])
+        && !ends_in_number
+        && next.starts_with(|next: char| next.is_alphabetic() || next == '\\')
+        && next.contains(['=', '≈'])
+}
+
 /// Whether the slash at a place parts two statements, `ω1 = 2 / ω2 = 3`: after it a letter of the first one's kind stands
 /// before an equals sign.
 fn is_before_sibling(text: &str, at: usize, first: &str) -> bool {
@@ -103,7 +117,11 @@ fn is_before_sibling(text: &str, at: usize, first: &str) -> bool {
 
 /// The length of the word with which a text begins and that joins statements.
 pub(crate) fn word_at(text: &str) -> Option<usize> {
-    let mut words = STATEMENTS.iter().filter(|word| text.starts_with(**word));
+    let mut words = STATEMENTS.iter().filter(|word| {
+        // `N = m g. So m x'' = -μ N`
+        let own = text.get(..word.len());
+        own.is_some_and(|own| own.eq_ignore_ascii_case(word))
+    });
     let found = words.find(|word| text[word.len()..].starts_with([' ', ',', ':']));
     found.map(|word| word.len())
 }

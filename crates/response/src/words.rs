@@ -26,6 +26,8 @@ pub(crate) use self::joints::{CONCLUDING, CONCLUSIONS, JOINING, PLACES, STATEMEN
 pub(crate) use self::marks::{CONJUGATES, ROOTED_UNITS};
 pub(crate) use self::numbers::{COUNTS, FACTORS, PARTS};
 pub(crate) use self::programs::{EQUATIONS, LISTS, MODULES, NUMBERS};
-pub(crate) use self::ranges::{CONDITIONS, ENDS, LIMITS, ONWARDS, RANGES, RANKS, UNBOUNDED};
+pub(crate) use self::ranges::{
+    CONDITIONS, ENDS, INSIDE, LIMITS, ONWARDS, RANGES, RANKS, UNBOUNDED, WITHIN,
+};
 pub(crate) use self::remarks::{COUNTING, OF_MINUS, OTHER_VALUES, REMARKS, TURNING};
 pub(crate) use self::signs::{Between, HALF_PI, LETTERS, PER_MILLE, PERCENT, VERBS, WORDS};

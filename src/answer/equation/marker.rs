@@ -18,7 +18,7 @@ use crate::answer::{
 };
 use crate::expr::{Equation, Expr, Kind, Name, Program};
 use crate::numerics::{Rational, SortedMap};
-use crate::response::{Defining, Passage};
+use crate::response::{Defining, L_FOR_ELL, Passage};
 use crate::work;
 
 /// A prepared key.
@@ -73,13 +73,14 @@ impl Prepared {
         })
     }
 
-    /// Whether equations are right with the values of the instance in place of letters.
-    fn is_right_for_the_data(&self, typed: &[Program]) -> bool {
+    /// Whether equations are right with the values of the instance in place of letters, be these rounded.
+    fn are_right_for_the_data(&self, equations: &[Equation], typed: &[Program]) -> bool {
         let (key, typed) = (
             self.key.iter().collect::<Vec<_>>(),
             typed.iter().collect::<Vec<_>>(),
         );
         Rows::of(&key, &typed, self.own()) == Rows::Same
+            || self.are_rounded_for(equations, self.own())
     }
 
     /// Whether numbers stand in equations where the key has data: in place of them all, or of some.
@@ -129,7 +130,7 @@ impl Prepared {
             return Marking::wrong(reading, Remark::from(Slip::OtherEquation));
         }
         let misfit = self.misfit(equations);
-        let are_right = || misfit.is_some() && self.is_right_for_the_data(typed);
+        let are_right = || misfit.is_some() && self.are_right_for_the_data(equations, typed);
         if self.has_values(equations, are_right) {
             return Marking::unreadable(Why::ValuesForLetters);
         }
@@ -196,8 +197,9 @@ impl Marker for Prepared {
         let equations = match read::equations(setup, response) {
             Ok(equations) => equations,
             Err(why) => {
-                let right = self.right_by_textbooks(response, &why, others);
-                return right.unwrap_or_else(|| Marking::unreadable(why));
+                let meant = self.right_with(L_FOR_ELL, response, others);
+                let meant = meant.or_else(|| self.right_by_textbooks(response, &why, others));
+                return meant.unwrap_or_else(|| Marking::unreadable(why));
             }
         };
         let candidate = |equations: Vec<Equation>| Candidate {
@@ -233,6 +235,7 @@ impl Marker for Prepared {
         let defined = defined.map(|equations| self.judged(equations, others));
         defined
             .filter(|defined| defined.verdict == Verdict::Right)
+            .or_else(|| self.right_with(L_FOR_ELL, response, others))
             .unwrap_or(marking)
     }
 
@@ -287,6 +290,17 @@ impl Prepared {
         points.is_some_and(|points| self.are_rounded_for(equations, points))
     }
 
+    /// The marking of equations with a letter for another one that it is alike, if they are right.
+    fn right_with(
+        &self,
+        custom: [&str; 2],
+        response: Passage<'_>,
+        others: &[Beside<'_>],
+    ) -> Option<Marking> {
+        let meant = read::with(custom, &self.setup, response)?;
+        Some(self.judged(meant, others)).filter(|meant| meant.verdict == Verdict::Right)
+    }
+
     /// Some of several equations, where each other one is the key once more with the values of the sheet in place of
     /// letters: `m x'' + k x = 0, x'' + 100 x = 0`.
     fn without_values(&self, equations: &[Equation]) -> Option<Vec<Equation>> {
@@ -294,8 +308,7 @@ impl Prepared {
             let own = std::slice::from_ref(own);
             let typed = || self.setup.compile(own, &SortedMap::new());
             self.has_values(own, || true)
-                && (typed().is_some_and(|typed| self.is_right_for_the_data(&typed))
-                    || self.are_rounded_for(own, self.own()))
+                && typed().is_some_and(|typed| self.are_right_for_the_data(own, &typed))
         };
         let (again, others): (Vec<_>, Vec<_>) = equations.iter().cloned().partition(is_again);
         (!again.is_empty() && !others.is_empty()).then_some(others)

@@ -2,13 +2,15 @@
 
 use super::Setup;
 use crate::answer::{Unreadable, Why};
-use crate::expr::{Equation, Expr, Relation};
-use crate::response::{Chain, Defining, Manner, Passage, Trouble, Typed, unit_of_zero};
+use crate::expr::{Equation, Expr, Relation, Substitution};
+use crate::math::symbol;
+use crate::response::{Chain, Defining, Lexicon, Manner, Passage, Trouble, Typed, unit_of_zero};
 
 /// The equations that a response is; where others say what letters mean that the question does not have, with
 /// these in their place.
 pub(crate) fn equations(setup: &Setup, response: Passage<'_>) -> Result<Vec<Equation>, Unreadable> {
-    alone(setup, response, Manner::REAL).or_else(|why| {
+    let lexicon = &setup.lexicon;
+    alone(setup, lexicon, response, Manner::REAL).or_else(|why| {
         // What is said beside the point stays so, whatever letters mean.
         let is_beside = matches!(
             *why.why,
@@ -16,9 +18,9 @@ pub(crate) fn equations(setup: &Setup, response: Passage<'_>) -> Result<Vec<Equa
         );
         // `[M][x''] + [K][x] = 0`
         let rows = response.equations_of_matrices();
-        rows.and_then(|rows| alone(setup, rows.passage(), Manner::REAL).ok())
+        rows.and_then(|rows| alone(setup, lexicon, rows.passage(), Manner::REAL).ok())
             .or_else(|| (!is_beside).then(|| defined(setup, response, Defining::Statements))?)
-            .or_else(|| alone(setup, response, Manner::REAL.in_any_case()).ok())
+            .or_else(|| alone(setup, lexicon, response, Manner::REAL.in_any_case()).ok())
             .ok_or(why)
     })
 }
@@ -78,8 +80,32 @@ fn fitting(setup: &Setup, chain: Typed<Chain>) -> Chain {
     })
 }
 
+/// The equations of a response with a letter for another one that it is alike, `L` for the length ℓ where the item has
+/// another L.
+pub(crate) fn with(
+    custom: [&str; 2],
+    setup: &Setup,
+    response: Passage<'_>,
+) -> Option<Vec<Equation>> {
+    let [other, meant] = setup.lexicon.stand_in(custom)?;
+    let lexicon = setup.lexicon.with(&other, symbol(other.as_str()));
+    let put = Substitution::moving(setup.unknowns.iter().cloned()).with(other, Expr::name(meant));
+    let found = alone(setup, &lexicon, response, Manner::REAL)
+        .ok()?
+        .into_iter();
+    let meant = found.map(|own| {
+        let [left, right] = [own.left, own.right].map(|side| put.apply(&side).ok());
+        Some(Equation {
+            left: left?,
+            right: right?,
+        })
+    });
+    meant.collect()
+}
+
 fn alone(
     setup: &Setup,
+    lexicon: &Lexicon,
     response: Passage<'_>,
     manner: Manner,
 ) -> Result<Vec<Equation>, Unreadable> {
@@ -88,7 +114,7 @@ fn alone(
         if let Some(why) = beside_the_point(own) {
             return Err(why);
         }
-        let chain = own.chain(&setup.lexicon, manner);
+        let chain = own.chain(lexicon, manner);
         let chain = chain.map_err(|error| match error.trouble {
             Trouble::NoRelation => Why::NoEquation.into(),
             _ => Unreadable::typed(&error, own),

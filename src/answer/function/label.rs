@@ -1,7 +1,7 @@
 //! What stands before the equals signs of a function: its name, that of another, or other forms of it.
 
 use crate::answer::{Declare, Role, Unreadable, Why};
-use crate::expr::{Expr, Kind, Name};
+use crate::expr::{Expr, Kind, Name, Operator};
 use crate::math::{Math, symbol};
 use crate::response::{Lexicon, Manner, Passage};
 
@@ -136,6 +136,10 @@ impl Labels {
         matches!(self.side(label), Ok(Side::Own))
     }
 
+    fn is_variable(&self, argument: &Expr) -> bool {
+        matches!(argument.kind(), Kind::Name(name) if *name.as_str() == *self.arguments[0])
+    }
+
     /// What stands before an equals sign; `x(t) [m]` has its unit after it.
     fn side(&self, side: Passage<'_>) -> Result<Side, Unreadable> {
         let side = side.without_bracketed_unit();
@@ -143,7 +147,14 @@ impl Labels {
         let value = typed
             .map_err(|error| Unreadable::typed(&error, side))?
             .value;
-        Ok(match value.kind() {
+        // `x (t)` with a space is no product here.
+        let called = match value.kind() {
+            Kind::Binary(Operator::Multiply, called, argument) if self.is_variable(argument) => {
+                called
+            }
+            _ => &value,
+        };
+        Ok(match called.kind() {
             Kind::Name(name) if self.own.contains(name) => Side::Own,
             Kind::Name(_) | Kind::Prime(..) => Side::Other,
             _ => Side::Formula(value),

@@ -186,7 +186,10 @@ fn function(key: &Prepared<'_>, typed: Passage<'_>) -> Result<Response, Unreadab
             // `0.5 mcos(5t)` parts its letters when it is printed.
             let with_unit = || with_unit(key, typed).or_else(as_printed);
             let unit = key.has_data(&expr).then(with_unit).flatten();
+            // Of `0.5 cos 2t m` nobody means a mass beside the number in the argument.
+            let is_of_waves = || !key.has_data(&without_waves(&expr));
             match unit {
+                Some(Ok(read)) if is_of_waves() && !read.units.contains(&Unit::ONE) => Ok(read),
                 Some(Ok(_)) if has_dimension(key, &expr) => Err(Why::UnitOrQuantity.into()),
                 Some(read) if !has_dimension(key, &expr) => read,
                 _ if adds_angle(key, &expr) => Err(Why::AngleAdded.into()),

@@ -145,7 +145,7 @@ fn chain(
             (sides[at], !sign.is_less)
         };
         let end = usize::from(is_less);
-        let own = ends.end(bound, sign.is_open, unit)?;
+        let own = subject.end(ends, bound, sign.is_open, unit)?;
         if piece.0[end].value.is_finite() {
             return Err(like_interval(Why::SameWay).into());
         }

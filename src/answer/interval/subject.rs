@@ -1,8 +1,10 @@
 //! What an inequality bounds: the variable, or a distance such as `|x - a|`.
 
 use super::bound::Ends;
+use super::read::{Read, like_interval};
 use super::set::{End, Set, SetPiece};
-use crate::expr::{Expr, Function, Kind, Substitution};
+use crate::answer::Why;
+use crate::expr::{Expr, Function, Kind, Operator, Substitution};
 use crate::numerics::Rational;
 use crate::response::Passage;
 use crate::unit::Unit;
@@ -13,6 +15,8 @@ pub(crate) enum BoundedSubject {
     Variable,
     /// Its distance from a place, times a slope.
     Distance { centre: f64, slope: f64 },
+    /// Its square, `c^2 < 2 k m`: the root of its bounds bounds the distance from zero.
+    Square,
 }
 
 impl BoundedSubject {
@@ -26,14 +30,40 @@ impl BoundedSubject {
         match expr.kind() {
             Kind::Name(name) if *name == ends.setup.variable => Some(Self::Variable),
             Kind::Call(Function::Abs, arguments) => distance(ends, arguments.first()?),
+            Kind::Binary(Operator::Power, base, exponent) => {
+                let is_variable =
+                    matches!(base.kind(), Kind::Name(name) if *name == ends.setup.variable);
+                let is_two =
+                    matches!(exponent.kind(), Kind::Number(two) if *two == Rational::from(2));
+                (is_variable && is_two).then_some(Self::Square)
+            }
             _ => None,
+        }
+    }
+
+    /// The end of what is bounded by a side.
+    pub(crate) fn end(
+        &self,
+        ends: &Ends<'_>,
+        bound: Passage<'_>,
+        is_open: bool,
+        unit: &mut Option<Unit>,
+    ) -> Read<End> {
+        match self {
+            // A root that has no value, or another dimension, was not typed.
+            Self::Square => ends
+                .end(bound.root().passage(), is_open, unit)
+                .map_err(|_| like_interval(Why::SolveFor(ends.setup.symbol.plain())).into()),
+            _ => ends.end(bound, is_open, unit),
         }
     }
 
     /// The values of the variable for which it lies in a piece.
     pub(crate) fn where_it_is_in(&self, piece: SetPiece) -> Set {
-        let Self::Distance { centre, slope } = self else {
-            return Set::of(vec![piece]);
+        let (centre, slope) = match self {
+            Self::Variable => return Set::of(vec![piece]),
+            Self::Distance { centre, slope } => (*centre, *slope),
+            Self::Square => (0.0, 1.0),
         };
         let [low, high] = piece.0;
         let moved = |end: End, side: f64| End {

@@ -230,12 +230,12 @@ pub(crate) fn parted(
         let signs = whole.last().and_then(|value| values.both_signs(value));
         count == 2 && signs.is_some_and(|(_, is_first)| !is_first)
     };
-    let are_spaced = || {
-        values
-            .spaced(&values.all())
-            .is_some_and(|pieces| pieces.len() == count)
+    let are_apart = || {
+        let all = values.all();
+        let mut ways = [values.spaced(&all), values.slashed(&all)].into_iter();
+        ways.any(|pieces| pieces.is_some_and(|pieces| pieces.len() == count))
     };
-    if mark == DecimalMark::Comma || values.is_parted() || are_about_mean() || are_spaced() {
+    if mark == DecimalMark::Comma || values.is_parted() || are_about_mean() || are_apart() {
         return Ok(values);
     }
     read(false)

@@ -2,7 +2,6 @@
 
 use std::f64::consts::TAU;
 
-use super::MIN_FIGURES;
 use super::marker::Numbers;
 use super::read::TypedNumber;
 use super::target::{Typed, pair};
@@ -67,8 +66,8 @@ pub(crate) fn slip(key: &Numbers, typed: &[Typed], unit: &Unit) -> Option<Slip> 
 pub(crate) fn rounded_too_far(key: &Numbers, typed: Typed, number: &TypedNumber) -> Option<Why> {
     let decimal = &number.quantity.value;
     let (asked, has) = (key.figures, decimal.significant_figures());
-    // With two figures much is rounded to the same.
-    if !(MIN_FIGURES..asked).contains(&has) || number.arithmetic.is_some() {
+    // To one figure much is rounded to the same.
+    if !(2..asked).contains(&has) || number.arithmetic.is_some() {
         return None;
     }
     let (target, place) = (&key.targets[0], decimal.last_place());

@@ -5,7 +5,7 @@ use super::{Bounding, Condition, Group, Said};
 use crate::signs::is_digit;
 use crate::surroundings::behind_word;
 use crate::wording::is_symbol;
-use crate::words::{CONDITIONS, ENDS, LIMITS, ONWARDS, RANGES, UNBOUNDED, VERBS};
+use crate::words::{CONDITIONS, ENDS, INSIDE, LIMITS, ONWARDS, RANGES, UNBOUNDED, VERBS, WITHIN};
 use crate::{Passage, Wording};
 
 /// A text without the words after it that say of the ends of a range whether they are left out, and what they say.
@@ -15,7 +15,10 @@ pub(crate) fn without_said_ends(text: &str) -> (&str, Option<bool>) {
     let said = ENDS.iter().find_map(|(words, is_out)| {
         let before = bare.strip_suffix(words)?;
         let before = if bare.len() < end.len() {
-            before.strip_suffix('(')?
+            // `39.2 mm (39.2 excluded)`
+            let (before, again) = before.rsplit_once('(')?;
+            let is_again = |word: &str| word == again.trim_end();
+            (again.is_empty() || before.split(' ').any(is_again)).then_some(before)?
         } else {
             before.strip_suffix([' ', ','])?
         };
@@ -52,7 +55,11 @@ pub(crate) fn in_words<'t>(text: &'t str, marks: &[Marked]) -> Option<Vec<Group<
     let ends = marks.iter().filter(|own| match own.mark {
         Mark::Or => true,
         // `between 1 and 2 and from 4 to 5`
-        Mark::And => text[own.at.end..].trim_start().starts_with("from "),
+        Mark::And => {
+            let (before, behind) = (&text[..own.at.start], &text[own.at.end..]);
+            behind.trim_start().starts_with("from ")
+                || [before, behind].iter().all(|own| own.contains(" to "))
+        }
         _ => false,
     });
     let ends = ends.map(|own| own.at.clone());
@@ -102,7 +109,11 @@ fn onwards(text: &str) -> Option<Said<'_>> {
     let either_way = || {
         let bound = text.rsplit_once(':').map_or(text, |(_, bound)| bound);
         // `x = ±3 mm` is two values.
-        let bound = bound.trim().strip_prefix('±');
+        let bound = bound.trim();
+        let bare = INSIDE.iter().find_map(|words| bound.strip_suffix(words));
+        let mut words = WITHIN.iter();
+        let bare = bare.or_else(|| words.find_map(|word| behind_word(bound, word)));
+        let bound = bare.unwrap_or(bound).trim().strip_prefix('±');
         let bound = bound.filter(|bound| !bound.contains(['±', '=']))?;
         Some(Said::Within {
             bound: Passage::of(bound),
@@ -139,10 +150,11 @@ fn range(text: &str) -> Option<Said<'_>> {
     let (lead, low, high) = in_words.or_else(in_signs)?;
     // `from 0.2 (excluded) to 0.5 (included)`
     let ends = [low, high].map(without_said_ends);
-    let open = match ends {
-        [(_, Some(low)), (_, Some(high))] => Some([low, high]),
-        [(_, None), (_, None)] => None,
-        _ => return None,
+    let open = match ends.map(|(_, is_out)| is_out) {
+        [None, None] => None,
+        // Where one end is left out the other belongs to it; of one that is kept it says nothing.
+        [Some(false), None] | [None, Some(false)] => return None,
+        said => Some(said.map(|is_out| is_out == Some(true))),
     };
     let lead = lead.trim().trim_end_matches(['=', ':']);
     let mut verbs = VERBS.iter();

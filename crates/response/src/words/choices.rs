@@ -217,5 +217,4 @@ pub(crate) const FILLERS: &[&str] = &[
 ];
 
 /// Words that stress what is said, where no option tells itself from others by them.
-pub(crate) const STRESSES: &str =
-    "only just exactly simply purely yes clearly indeed definitely both and all well first last";
+pub(crate) const STRESSES: &str = "only just exactly simply purely yes clearly indeed definitely both and all well first last still";

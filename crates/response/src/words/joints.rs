@@ -7,6 +7,7 @@ pub(crate) const JOINING: &[&str] = &["and", "or", "et", "ou", "und", "oder", "i
 pub(crate) const STATEMENTS: &[&str] = &[
     "with",
     "where",
+    "here",
     "at",
     "for",
     "if",

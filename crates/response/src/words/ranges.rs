@@ -36,6 +36,7 @@ pub(crate) const CONDITIONS: &[&str] = &[
     "everywhere where",
     "wherever",
     "falls",
+    "anywhere",
 ];
 
 /// Words around the two ends of a range.
@@ -56,6 +57,17 @@ pub(crate) const UNBOUNDED: &[&str] = &[
     " to ∞",
     " to infinity",
     " to inf",
+];
+
+/// Words before both ends of a range at once, `within ±3 mm`.
+pub(crate) const WITHIN: &[&str] = &["within", "between"];
+
+/// What comes after both ends at once, `±3 mm and everything in between`.
+pub(crate) const INSIDE: &[&str] = &[
+    " and everything in between",
+    " and everything between",
+    " and anything in between",
+    " and all in between",
 ];
 
 /// What comes after the one end of a range, and whether that is the upper one.
