@@ -158,7 +158,7 @@ impl<'t> Folder<'t> {
         if "*_`".contains(char) && self.is_set_apart(char) {
             return self.write(" ", width);
         }
-        if self.blanked.contains(&self.at) || char == '$' {
+        if self.blanked.contains(&self.at) || char == '$' || self.is_around_function(char) {
             return self.write(" ", width);
         }
         if "{}\\".contains(char) && self.fraction(char) || char == '{' && self.dotted_group() {
@@ -192,8 +192,7 @@ impl<'t> Folder<'t> {
         }
         if char == '|' && self.has_barred_numbers {
             // Beside semicolons, `[1,2; 0,2 | 0,2; 2,2]`, it ends a row.
-            let sign = if self.typed.contains(';') { "\n" } else { ";" };
-            return self.write(sign, 1);
+            return self.write(if self.typed.contains(';') { "\n" } else { ";" }, 1);
         }
         if let Some(length) = self.silent() {
             return self.write("", length);
@@ -246,9 +245,6 @@ impl<'t> Folder<'t> {
         if char == '(' && self.is_before_unit_in_words() {
             return self.write("(", "(in ".len());
         }
-        if "〖〗".contains(char) && self.is_around_function(char) {
-            return self.write(" ", width);
-        }
         // `u = <1, 2>`, `u ∝ (1, 2)`
         let is_equal = char == '=' && self.is_before_chevrons();
         if is_equal || char == '∝' && self.is_before_list(width) {
@@ -285,12 +281,13 @@ impl<'t> Folder<'t> {
     /// Whether the bracket here, which word processors do not show, is one around the name of a function, `〖cos〗^2`.
     fn is_around_function(&self, bracket: char) -> bool {
         let inner = match bracket {
-            '〖' => self.rest()[bracket.len_utf8()..].split_once('〗'),
-            _ => self.typed[..self.at]
-                .rsplit_once('〖')
-                .map(|(before, inner)| (inner, before)),
+            '〖' => self.rest()[bracket.len_utf8()..]
+                .split_once('〗')
+                .map(|own| own.0),
+            '〗' => self.typed[..self.at].rsplit_once('〖').map(|own| own.1),
+            _ => None,
         };
-        inner.is_some_and(|(inner, _)| is_function(inner))
+        inner.is_some_and(is_function)
     }
 
     /// Whether a unit in brackets is said with its preposition here, `(in rad/s)`.
