@@ -74,20 +74,11 @@ impl Naming {
             asked: asked.iter().map(|own| own.name.clone()).collect(),
             ..Self::default()
         };
-        // The lower of two frequencies may be asked for before as that of a mode.
-        let says_the_same = |own: &Known| {
-            let formula = formula(declare, own);
-            formula.is_some()
-                && asked
-                    .iter()
-                    .any(|asked| self::formula(declare, asked) == formula)
-        };
         for own in known.iter().filter(|own| is_seen(own.role)) {
             naming
                 .lexicon
                 .allow(&own.name, own.symbol.clone(), own.role == Role::Coordinate);
             if !asked.iter().any(|asked| is_same(asked, own))
-                && !says_the_same(own)
                 && is_other(own, &asked, dimension, kind)
             {
                 naming.others.push(own.name.clone());
@@ -428,14 +419,6 @@ pub(crate) fn is_asked(declare: &dyn Declare, key: NodeId, own: &Known) -> bool 
                 expr::Kind::Array(entries) => entries.iter().any(is_name),
                 _ => is_name(expr),
             })
-}
-
-/// The formula of a quantity.
-fn formula<'d>(declare: &'d dyn Declare, own: &Known) -> Option<&'d expr::Expr> {
-    match own.role {
-        Role::Quantity { node, .. } => declare.graph().expr(node),
-        Role::Parameter { .. } | Role::Coordinate | Role::Symbol => None,
-    }
 }
 
 /// Whether students see a name: not those that only the item computes with.
