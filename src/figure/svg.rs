@@ -357,27 +357,29 @@ impl SvgWriter<'_> {
     }
 
     fn tenths(&mut self, tenths: i64) {
-        if tenths < 0 {
-            self.out.push('-');
-        }
-        let (whole, tenth) = (tenths.unsigned_abs() / 10, tenths.unsigned_abs() % 10);
-        let mut digits = [0_u8; 20];
-        let mut first = digits.len();
-        let mut rest = whole;
-        loop {
+        // From the last sign on: the largest has nineteen digits, a point and a minus.
+        let mut signs = [0_u8; 21];
+        let mut first = signs.len();
+        let mut put = |sign: u8| {
             first -= 1;
-            digits[first] = b'0' + (rest % 10) as u8;
+            signs[first] = sign;
+        };
+        let (mut rest, tenth) = (tenths.unsigned_abs() / 10, tenths.unsigned_abs() % 10);
+        if tenth > 0 {
+            put(b'0' + tenth as u8);
+            put(b'.');
+        }
+        loop {
+            put(b'0' + (rest % 10) as u8);
             rest /= 10;
             if rest == 0 {
                 break;
             }
         }
-        self.out
-            .extend(digits[first..].iter().map(|digit| char::from(*digit)));
-        if tenth > 0 {
-            self.out.push('.');
-            self.out.push(char::from(b'0' + tenth as u8));
+        if tenths < 0 {
+            put(b'-');
         }
+        self.text(std::str::from_utf8(&signs[first..]).unwrap_or_default());
     }
 
     fn text(&mut self, text: &str) {
