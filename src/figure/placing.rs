@@ -58,7 +58,7 @@ fn is_stray(drawing: &mut Drawing, wish: &Wish) -> bool {
     let is_near = own.any(|mark| {
         let mut is_met = mark.fill != Fill::None && touches(near, mark.path.bounds());
         mark.path
-            .for_each_segment(|a, b| is_met |= near.chord(a, b).is_some());
+            .for_each_segment(|a, b| is_met = is_met || near.chord(a, b).is_some());
         is_met
     });
     !is_free || !(is_alone || is_near)
