@@ -36,27 +36,35 @@ fn within(html: &str, width: usize) -> usize {
     let line = (CHARACTERS * width / WIDTH).max(1);
     let (mut millimetres, mut characters) = (0, 0_usize);
     let mut rest = html;
-    while let Some(at) = rest.find('<') {
+    while let Some(at) = first(rest, b'<') {
         characters += rest[..at].trim_matches('\n').chars().count();
         rest = &rest[at..];
         let behind = |end: &str| rest.find(end).map(|at| at + end.len());
-        let length = if rest.starts_with("<svg") {
-            millimetres += picture(rest).1 + 2 * GAP;
-            behind("</svg>")
-        } else if rest.starts_with("<math") && opening(rest).contains("display=\"block\"") {
-            millimetres += FORMULA;
-            behind("</math>")
-        } else {
-            if rest.starts_with("</p>") || rest.starts_with("</li>") {
-                millimetres += characters.div_ceil(line) * LINE + GAP;
-                characters = 0;
+        let length = match rest.as_bytes() {
+            [b'<', b's', b'v', b'g', ..] => {
+                millimetres += picture(rest).1 + 2 * GAP;
+                behind("</svg>")
             }
-            // Nearly all tags end so: a character is found in less time than a text.
-            rest.find('>').map(|at| at + 1)
+            [b'<', b'm', b'a', b't', b'h', ..] if opening(rest).contains("display=\"block\"") => {
+                millimetres += FORMULA;
+                behind("</math>")
+            }
+            tag => {
+                if let [b'<', b'/', b'p', b'>', ..] | [b'<', b'/', b'l', b'i', b'>', ..] = tag {
+                    millimetres += characters.div_ceil(line) * LINE + GAP;
+                    characters = 0;
+                }
+                first(rest, b'>').map(|at| at + 1)
+            }
         };
         rest = length.map_or("", |length| &rest[length..]);
     }
     millimetres + (characters + rest.trim().chars().count()).div_ceil(line) * LINE
+}
+
+/// Where an ASCII sign first stands; tags and the words between them are so short that looking at each byte is quickest.
+fn first(html: &str, sign: u8) -> Option<usize> {
+    html.bytes().position(|byte| byte == sign)
 }
 
 /// Width and height of a picture in millimetres; nothing where there is none.
