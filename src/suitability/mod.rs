@@ -282,8 +282,10 @@ impl<'s> Beside<'s> {
 
     fn is_in_force(&self, step: NodeId) -> bool {
         let is_in_force = || {
-            let own = self.evaluation.function(step).ok()?;
-            Some(samples(&own, self.times?, 0.0)? == self.right)
+            let (own, times) = (self.evaluation.function(step).ok()?, self.times?);
+            // Another function mostly differs at the end already.
+            let last = value(&own, *times.last()?, 0.0)?;
+            Some(last == *self.right.last()? && samples(&own, times, 0.0)? == self.right)
         };
         let mut known = self.in_force.borrow_mut();
         let holds = || step == self.key || is_in_force() == Some(true);
