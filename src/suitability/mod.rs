@@ -94,18 +94,39 @@ pub fn judge(solution: &Solution<'_>, parts: &[usize]) -> Result<(), Unfit> {
 ///
 /// The first method that cannot.
 pub fn judge_methods(solution: &Solution<'_>, parts: &[usize]) -> Result<(), Unfit> {
-    let asked = parts.iter().filter(|place| solution.asks(**place));
-    let kind = |place: &usize| solution.template().parts[*place].answer.kind();
-    let (functions, numbers): (Vec<&usize>, Vec<&usize>) = asked
-        .filter(|place| {
-            matches!(
-                kind(place),
-                AnswerKind::Numeric | AnswerKind::Integer | AnswerKind::Function
-            )
-        })
-        .partition(|place| kind(place) == AnswerKind::Function);
     // Functions take the longest, and are not looked at where a number decides.
-    for place in numbers.into_iter().chain(functions) {
+    judge_methods_of_numbers(solution, parts)?;
+    judge_methods_of_functions(solution, parts)
+}
+
+/// [`judge_methods`] for the parts that ask for numbers.
+///
+/// # Errors
+///
+/// As there.
+pub fn judge_methods_of_numbers(solution: &Solution<'_>, parts: &[usize]) -> Result<(), Unfit> {
+    let is_number = |kind| matches!(kind, AnswerKind::Numeric | AnswerKind::Integer);
+    judge_methods_of(solution, parts, is_number)
+}
+
+/// [`judge_methods`] for the parts that ask for functions.
+///
+/// # Errors
+///
+/// As there.
+pub fn judge_methods_of_functions(solution: &Solution<'_>, parts: &[usize]) -> Result<(), Unfit> {
+    judge_methods_of(solution, parts, |kind| kind == AnswerKind::Function)
+}
+
+fn judge_methods_of(
+    solution: &Solution<'_>,
+    parts: &[usize],
+    is_meant: impl Fn(AnswerKind) -> bool,
+) -> Result<(), Unfit> {
+    let meant = parts.iter().filter(|place| {
+        solution.asks(**place) && is_meant(solution.template().parts[**place].answer.kind())
+    });
+    for place in meant {
         let part = &solution.template().parts[*place];
         if solution
             .marker(*place)

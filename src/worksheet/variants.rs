@@ -405,13 +405,26 @@ impl<'p, 'c> Chooser<'p, 'c> {
         };
         self.accepts(&candidate)
             .map_err(|objection| (objection, None))?;
+        let refuse = |question: &SheetQuestion<'_>, objection| {
+            let item = question.solution.template().id.to_string();
+            (objection, Some(item))
+        };
         for question in &sheet.questions {
             let data = candidate.questions[question.place].data;
             let asked = self.judge_question(tries, question, data);
-            candidate.questions[question.place] = asked.map_err(|objection| {
-                let item = question.solution.template().id.to_string();
-                (objection, Some(item))
-            })?;
+            candidate.questions[question.place] =
+                asked.map_err(|objection| refuse(question, objection))?;
+        }
+        if tries < TRIES_FOR_METHODS {
+            for judge_methods in [
+                suitability::judge_methods_of_numbers,
+                suitability::judge_methods_of_functions,
+            ] {
+                for question in &sheet.questions {
+                    judge_methods(&question.solution, &question.parts)
+                        .map_err(|unfit| refuse(question, unfit.into()))?;
+                }
+            }
         }
         self.accepts(&candidate)
             .map_err(|objection| (objection, None))?;
@@ -426,9 +439,6 @@ impl<'p, 'c> Chooser<'p, 'c> {
     ) -> Result<AskedQuestion, Objection> {
         suitability::judge(&question.solution, &question.parts)?;
         let asked = self.asked(question, data);
-        if tries < TRIES_FOR_METHODS {
-            suitability::judge_methods(&question.solution, &question.parts)?;
-        }
         if tries < TRIES_FOR_FAIRNESS && asked.is_unusual {
             self.usual(question).judge(question)?;
         }
