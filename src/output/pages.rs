@@ -4,6 +4,7 @@ use std::borrow::Cow;
 use std::collections::{BTreeMap, BTreeSet};
 
 use serde::Serialize;
+use tera::Value;
 
 use super::Writer;
 use super::key_table::KeyRow;
@@ -88,6 +89,8 @@ pub struct Pages {
     pub(crate) writer: &'static dyn Writer,
     pub(crate) layouts: Layouts,
     pub(crate) run: Run,
+    /// The run as the layouts see it.
+    shown: Value,
 }
 
 /// A page, written.
@@ -114,7 +117,7 @@ struct Begin<'a> {
 
 #[derive(Serialize)]
 struct SheetPage<'a> {
-    run: &'a Run,
+    run: &'a Value,
     sheet: SheetView,
 }
 
@@ -336,6 +339,7 @@ impl Pages {
         Ok(Self {
             writer,
             layouts: Layouts::of(writer, own)?,
+            shown: Value::from_serializable(&run),
             run,
         })
     }
@@ -449,7 +453,7 @@ impl Pages {
     ) -> Result<Page, OutputError> {
         let view = View::new(self.writer, &self.run, kind).with_keys(keys);
         let content = SheetPage {
-            run: &self.run,
+            run: &self.shown,
             sheet: view.sheet(sheet),
         };
         Ok(Page {
