@@ -38,6 +38,9 @@ pub(crate) struct Response {
     pub(crate) contradiction: Option<Unreadable>,
 }
 
+/// Of the times one in so many is looked at first: four of 48, the end among them, where a wrong frequency shows.
+const FEW: usize = 15;
+
 /// Less than this share of a half-width is a rounding of the machine.
 const SAME: f64 = 1e-6;
 
@@ -93,7 +96,7 @@ impl Prepared<'_> {
         let mistakes = self.mistaken.iter().filter_map(|mistaken| {
             Some(Mistake {
                 number: mistaken.number,
-                values: self.values_of_mistake(mistaken).ok()?,
+                values: self.values_of_mistake(mistaken, &self.times).ok()?,
                 credit: mistaken.credit,
             })
         });
@@ -101,8 +104,12 @@ impl Prepared<'_> {
             .get_or_init(|| work::aside(|| mistakes.collect()))
     }
 
-    fn values_of_mistake(&self, mistaken: &Mistaken) -> Result<Vec<f64>, Absent> {
-        let (evaluation, times) = (&self.evaluation, &self.times);
+    fn values_of_mistake(
+        &self,
+        mistaken: &Mistaken,
+        times: &[Precise],
+    ) -> Result<Vec<f64>, Absent> {
+        let evaluation = &self.evaluation;
         let accuracy = fine(largest(&self.values));
         if let Some(node) = mistaken.given.first() {
             return samples(evaluation, *node, times, accuracy);
@@ -113,6 +120,22 @@ impl Prepared<'_> {
             .map(|(old, new)| Ok((*old, evaluation.value(*new)?.clone())));
         let replaced = evaluation.replacing(with.collect::<Result<Vec<_>, Absent>>()?);
         samples(&replaced, self.key, times, accuracy)
+    }
+
+    /// The distance of a mistake from the key, in tolerances, where it is less than `limit`.
+    fn distance_within(&self, limit: f64, mistaken: &Mistaken) -> Option<f64> {
+        // The farthest time decides, and some few mostly show that it is too far.
+        let few = (0..self.times.len()).rev().step_by(FEW);
+        let times: Vec<Precise> = few.clone().map(|place| self.times[place]).collect();
+        let values = self.values_of_mistake(mistaken, &times).ok()?;
+        let mut distances = few
+            .zip(values)
+            .map(|(place, value)| (value - self.values[place]).abs() / self.halves[place]);
+        if distances.any(|distance| distance.is_finite() && distance >= limit) {
+            return None;
+        }
+        let values = self.values_of_mistake(mistaken, &self.times).ok()?;
+        self.distance(&values).filter(|distance| *distance < limit)
     }
 
     /// Whether the item states the tolerance.
@@ -232,14 +255,14 @@ impl Marker for Prepared<'_> {
     }
 
     fn clearance(&self, limit: f64) -> Option<f64> {
-        let mistakes = self.mistakes().iter();
+        let mistakes = self.mistaken.iter();
         let costly = mistakes.filter(|mistake| mistake.credit < Credit::FULL);
-        let distances = costly.filter_map(|mistake| self.distance(&mistake.values));
+        let distances = costly.filter_map(|mistake| self.distance_within(limit, mistake));
         // What is the key itself but for rounding is no other answer for these data.
         let nearest = distances
             .filter(|distance| *distance > SAME)
             .min_by(f64::total_cmp);
-        nearest.filter(|nearest| *nearest < limit && !self.looks_later())
+        nearest.filter(|_| !self.looks_later())
     }
 
     fn distance(&self, si: &[f64]) -> Option<f64> {
