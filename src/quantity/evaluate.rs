@@ -148,6 +148,20 @@ impl<'g> Evaluation<'g> {
             .ok_or_else(|| self.undefined(id, Undefined::NotReal))
     }
 
+    /// The same, where an absolute error of `accuracy` in SI units is good enough.
+    ///
+    /// # Errors
+    ///
+    /// As [`Self::real`].
+    pub(crate) fn real_within(&self, accuracy: f64, id: NodeId) -> Result<f64, Absent> {
+        match self.function(id) {
+            Ok(formula) if self.values[id.index()].get().is_none() => {
+                self.bounded(|| formula.real_at(&[], accuracy))
+            }
+            _ => self.real(id),
+        }
+    }
+
     /// Whether a condition holds.
     ///
     /// # Errors

@@ -227,10 +227,7 @@ impl<'s> Beside<'s> {
     /// How far what a method gives lies from the key; none where it gives nothing, or the very key.
     fn distance(&self, method: &Method) -> Option<f64> {
         let wrong = match self.times {
-            None => {
-                let wrong = method.evaluation(self.evaluation).ok()?;
-                wrong.value(self.key).ok()?.numbers().to_vec()
-            }
+            None => self.numbers(&method.evaluation(self.evaluation).ok()?)?,
             Some(times) => self.course(method, |wrong| samples(wrong, times, self.fine()))?,
         };
         let size = largest(self.right);
@@ -239,6 +236,15 @@ impl<'s> Beside<'s> {
         let is_finite = wrong.iter().all(|number| number.is_finite());
         let distance = self.marker.distance(&wrong);
         distance.filter(|_| is_finite && !is_same)
+    }
+
+    /// The numbers that the key is among these values.
+    fn numbers(&self, wrong: &Evaluation<'_>) -> Option<Vec<f64>> {
+        if self.right.len() > 1 {
+            return Some(wrong.value(self.key).ok()?.numbers().to_vec());
+        }
+        // A step that is taken wrongly may leave next to nothing, which takes many digits to tell from zero.
+        Some(vec![wrong.real_within(self.fine(), self.key).ok()?])
     }
 
     /// The distance of what a method gives, where it is too near.
