@@ -68,7 +68,8 @@ pub struct Evaluation<'g> {
     wide: OnceCell<NodeSlots<Wide>>,
     /// Values that stand in for what a formula would give.
     replaced: Vec<(NodeId, Value)>,
-    rooms: RefCell<Vec<Workspace>>,
+    /// Shared with all evaluations that follow from it.
+    rooms: Rc<RefCell<Vec<Workspace>>>,
     /// Units of work that are left for values.
     work: Cell<u64>,
     /// Whether a value is being computed: those that it needs share its budget.
@@ -88,10 +89,18 @@ pub struct Function<'e, 'g> {
 impl<'g> Evaluation<'g> {
     /// Nothing is computed yet; `data` are the values of the parameters in their order.
     pub fn new(graph: &'g Graph, data: Arc<[Precise]>) -> Self {
+        Self::with_rooms(graph, data, Rc::default())
+    }
+
+    fn with_rooms(
+        graph: &'g Graph,
+        data: Arc<[Precise]>,
+        rooms: Rc<RefCell<Vec<Workspace>>>,
+    ) -> Self {
         let values = std::iter::repeat_with(OnceCell::new)
             .take(graph.nodes.len())
             .collect();
-        let (wide, replaced, rooms) = (OnceCell::new(), Vec::new(), RefCell::default());
+        let (wide, replaced) = (OnceCell::new(), Vec::new());
         Self {
             graph,
             data,
@@ -111,7 +120,8 @@ impl<'g> Evaluation<'g> {
     #[must_use]
     pub(crate) fn replacing(&self, mut replaced: Vec<(NodeId, Value)>) -> Self {
         replaced.extend(self.replaced.iter().cloned());
-        let mut evaluation = Self::new(self.graph, Arc::clone(&self.data));
+        let (data, rooms) = (Arc::clone(&self.data), Rc::clone(&self.rooms));
+        let mut evaluation = Self::with_rooms(self.graph, data, rooms);
         for (node, value) in &replaced {
             // A node is replaced once; of two values the first stands.
             let _ = evaluation.values[node.index()].set(Ok(value.clone()));
