@@ -33,8 +33,6 @@ pub struct Drawing {
     pub(crate) areas: Vec<Area>,
     pub(crate) wishes: Vec<Wish>,
     owner: u32,
-    /// The frame that it shares with others.
-    shared: Option<Bounds>,
 }
 
 /// A line or area of a drawing.
@@ -239,11 +237,6 @@ impl Drawing {
         &self.labels
     }
 
-    /// Fixes its frame, which it shares with others.
-    pub(crate) fn keep_frame(&mut self, frame: Bounds) {
-        self.shared = Some(frame);
-    }
-
     /// Adds another drawing above this one.
     pub(crate) fn add(&mut self, other: Self) {
         self.marks.extend(other.marks);
@@ -252,9 +245,6 @@ impl Drawing {
 
     /// The frame: the box of all marks and labels, with a margin.
     pub fn frame(&self) -> Bounds {
-        if let Some(shared) = self.shared {
-            return shared;
-        }
         let marks = self.marks.iter().map(|mark| {
             let reach = mark.pen.map_or(0.0, Pen::width) / 2.0;
             mark.path.bounds().grown(reach)
@@ -275,12 +265,12 @@ impl Drawing {
 
     /// Width and height in print, in millimetres.
     pub fn size(&self) -> (f64, f64) {
-        svg::size(self)
+        svg::size(self.frame())
     }
 
     /// The drawing as an SVG element; labels that were not settled are left out.
     pub fn svg(&self, head: &Head<'_>) -> String {
-        svg::around(self, head, "")
+        svg::element(self.frame(), head, &svg::content(self))
     }
 }
 

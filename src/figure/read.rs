@@ -1,5 +1,7 @@
 //! From the table `[figure]` to a figure, with all findings at once.
 
+use std::sync::OnceLock;
+
 use super::FigureLabel;
 use super::element::{self, Element, Holds, Role, Takes};
 use super::error::FigureError;
@@ -96,6 +98,7 @@ impl<'a, 's> FigureReader<'a, 's> {
             order,
             free,
             motion,
+            alike: OnceLock::new(),
         };
         (figure, self.findings)
     }

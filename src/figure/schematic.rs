@@ -1,5 +1,7 @@
 //! A schematic as an item declares it, and its drawing for certain data.
 
+use std::sync::OnceLock;
+
 use super::element::{Element, Role};
 use super::formula::{Amount, FigurePair, FigureValues};
 use super::free::Free;
@@ -8,7 +10,7 @@ use super::outline::{Outline, Side};
 use super::part::{End, LineStyle, Part, Setting};
 use super::read::{FigureReader, Subject};
 use super::story::{self, Caption, Speaker, Story};
-use super::{Drawing, FigureLabel, Head, Point, Spot};
+use super::{Bounds, Drawing, FigureLabel, Head, Point, Spot, svg};
 use crate::diagnostic::Finding;
 use crate::expr::Name;
 use crate::math::Math;
@@ -29,6 +31,8 @@ pub struct Figure {
     pub(crate) free: Free,
     /// How it moves, if it does.
     pub(crate) motion: Option<Motion>,
+    /// As it was drawn, where it takes nothing from the data.
+    pub(crate) alike: OnceLock<Result<Sketched, Undrawable>>,
 }
 
 /// What a figure asks of the data for which it is drawn.
@@ -100,6 +104,15 @@ pub(crate) struct DeclaredLabel {
     pub(crate) name: Option<Name>,
 }
 
+/// A figure that was drawn, without the words about it.
+#[derive(Debug)]
+pub(crate) struct Sketched {
+    story: Story,
+    frame: Bounds,
+    /// Its marks and labels, as SVG.
+    content: String,
+}
+
 /// A figure that was drawn.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Picture {
@@ -165,22 +178,46 @@ impl Figure {
         id: &str,
         speaker: &dyn Speaker,
     ) -> Result<Picture, Undrawable> {
-        let parts = self.parts(given)?;
-        let drawing = drawn(&parts, &self.items, &self.order);
-        let story = Story::Sketch(story::sketch(&self.items, &parts));
-        let Caption { title, description } = speaker.caption(&story);
+        let own;
+        let sketched = if self.is_the_same_for_all() {
+            let alike = self.alike.get_or_init(|| self.sketched(given));
+            alike.as_ref().map_err(Undrawable::clone)?
+        } else {
+            own = self.sketched(given)?;
+            &own
+        };
+        let Caption { title, description } = speaker.caption(&sketched.story);
         let alt = self.alt.clone().unwrap_or(description);
-        let svg = drawing.svg(&Head {
+        let head = Head {
             id,
             title: &title,
             description: &alt,
-        });
-        let (width, height) = drawing.size();
+        };
+        let svg = svg::element(sketched.frame, &head, &sketched.content);
+        let (width, height) = svg::size(sketched.frame);
         Ok(Picture {
             svg,
             alt,
             width,
             height,
+        })
+    }
+
+    /// Whether it takes nothing from the data.
+    fn is_the_same_for_all(&self) -> bool {
+        let mut labels = self.items.iter().filter_map(|item| item.label.as_ref());
+        let shows_values =
+            self.labels != Labels::Symbol && labels.any(|label| label.name.is_some());
+        self.taken.is_empty() && !shows_values
+    }
+
+    fn sketched(&self, given: &dyn FigureData) -> Result<Sketched, Undrawable> {
+        let parts = self.parts(given)?;
+        let drawing = drawn(&parts, &self.items, &self.order);
+        Ok(Sketched {
+            story: Story::Sketch(story::sketch(&self.items, &parts)),
+            frame: drawing.frame(),
+            content: svg::content(&drawing),
         })
     }
 

@@ -26,31 +26,27 @@ pub struct Head<'a> {
     pub description: &'a str,
 }
 
-/// Width and height in print, in millimetres.
-pub(crate) fn size(drawing: &Drawing) -> (f64, f64) {
-    let View { width, height, .. } = View::of(drawing.frame());
+/// Width and height in print of what is in a frame, in millimetres.
+pub(crate) fn size(frame: Bounds) -> (f64, f64) {
+    let View { width, height, .. } = View::of(frame);
     (width as f64 / 10.0, height as f64 / 10.0)
 }
 
-/// The drawing as an SVG element, with another element before its end; labels that were not settled are left out.
-pub(crate) fn around(drawing: &Drawing, head: &Head<'_>, inner: &str) -> String {
+/// What is in a frame as an SVG element.
+pub(crate) fn element(frame: Bounds, head: &Head<'_>, content: &str) -> String {
     let mut writer = SvgWriter {
-        out: String::with_capacity(4096),
-        id: head.id,
+        out: String::with_capacity(content.len() + 1024),
     };
-    writer.head(head, View::of(drawing.frame()));
-    writer.marks(&drawing.marks);
-    writer.labels(&drawing.labels);
-    writer.out.push_str(inner);
+    writer.head(head, View::of(frame));
+    writer.out.push_str(content);
     writer.out.push_str("</svg>");
     writer.out
 }
 
-/// Its marks and labels, without the element around them.
-pub(crate) fn content(drawing: &Drawing, id: &str) -> String {
+/// The marks and labels of a drawing; labels that were not settled are left out.
+pub(crate) fn content(drawing: &Drawing) -> String {
     let mut writer = SvgWriter {
         out: String::with_capacity(4096),
-        id,
     };
     writer.marks(&drawing.marks);
     writer.labels(&drawing.labels);
@@ -86,12 +82,11 @@ impl View {
     }
 }
 
-struct SvgWriter<'a> {
+struct SvgWriter {
     out: String,
-    id: &'a str,
 }
 
-impl SvgWriter<'_> {
+impl SvgWriter {
     fn head(&mut self, head: &Head<'_>, view: View) {
         self.text("<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"");
         self.tenths(view.width);
@@ -109,19 +104,19 @@ impl SvgWriter<'_> {
         }
         // Fonts wider than the one that was measured run over the edge, where nothing cuts them.
         self.text("\" overflow=\"visible\" role=\"img\" aria-labelledby=\"");
-        self.name("t");
+        self.name(head.id, "t");
         if !head.description.is_empty() {
             self.out.push(' ');
-            self.name("d");
+            self.name(head.id, "d");
         }
         self.text("\"><title id=\"");
-        self.name("t");
+        self.name(head.id, "t");
         self.text("\">");
         self.escaped(head.title);
         self.text("</title>");
         if !head.description.is_empty() {
             self.text("<desc id=\"");
-            self.name("d");
+            self.name(head.id, "d");
             self.text("\">");
             self.escaped(head.description);
             self.text("</desc>");
@@ -130,8 +125,7 @@ impl SvgWriter<'_> {
     }
 
     /// An identity of this picture.
-    fn name(&mut self, part: &str) {
-        let id = self.id;
+    fn name(&mut self, id: &str, part: &str) {
         self.escaped(id);
         self.out.push('-');
         self.out.push_str(part);
@@ -403,10 +397,7 @@ mod tests {
     use crate::figure::{Dash, Weight};
 
     fn number(number: f64) -> String {
-        let mut writer = SvgWriter {
-            out: String::new(),
-            id: "",
-        };
+        let mut writer = SvgWriter { out: String::new() };
         writer.number(number);
         writer.out
     }

@@ -4,7 +4,7 @@ use std::fmt::Write as _;
 
 use crate::BANK;
 use vibank::bank::{Catalogue, Template};
-use vibank::figure::{Bounds, Drawing, Fill, LETTER_SIZE, Picture, draw_free};
+use vibank::figure::{Bounds, Drawing, Fill, Head, LETTER_SIZE, Picture, draw_free};
 use vibank::instance::Instance;
 use vibank::message::Language;
 use vibank::scene::{Data, Scene};
@@ -31,6 +31,17 @@ fn faults(template: &Template, instance: Instance<'_>) -> Vec<String> {
     };
     let picture = scene.picture().expect("what is drawn has a picture");
     let mut faults = faults_of(&drawing, &picture);
+    // A figure that takes nothing from the data is drawn for the first of them alone.
+    let head = Head {
+        id: "",
+        title: "",
+        description: "",
+    };
+    let own = drawing.svg(&head);
+    let [own, kept] = [&own, &picture.svg].map(|svg| svg.split_once('\n'));
+    if own.map(|(_, marks)| marks) != kept.map(|(_, marks)| marks) {
+        faults.push("the picture is that of other data".to_owned());
+    }
     if figure.has_free() {
         let free = draw_free(figure, &scene);
         let picture = scene.free_picture().expect("it has one");

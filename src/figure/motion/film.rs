@@ -107,7 +107,7 @@ impl<'f> MovingFigure<'f> {
             .collect();
         let poses = self.scaled(&all);
         let mut still = self.drawing(&[], |place| self.is_still(place));
-        let mut frames: Vec<Drawing> = poses
+        let frames: Vec<Drawing> = poses
             .iter()
             .map(|rigid| {
                 let mut frame = self.drawing(rigid, |place| !self.is_still(place));
@@ -120,13 +120,10 @@ impl<'f> MovingFigure<'f> {
             .map(Drawing::frame)
             .fold(still.frame(), Bounds::joined);
         still.labels.clear();
-        still.keep_frame(frame);
+        let content = svg::content(&still) + "<g class=\"moving\"></g>";
         Film {
-            svg: svg::around(&still, head, "<g class=\"moving\"></g>"),
-            frames: frames
-                .iter_mut()
-                .map(|frame| svg::content(frame, head.id))
-                .collect(),
+            svg: svg::element(frame, head, &content),
+            frames: frames.iter().map(svg::content).collect(),
         }
     }
 
