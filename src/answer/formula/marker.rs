@@ -179,7 +179,10 @@ impl Prepared {
 
     /// The readings of a formula, the conventional one first: those of the right dimension, if one has it.
     fn readings(&self, response: Passage<'_>) -> Result<Vec<Read>, TypedError> {
-        let typed = self.read(response)?;
+        Ok(self.readings_of(self.read(response)?))
+    }
+
+    fn readings_of(&self, typed: Typed<Expr>) -> Vec<Read> {
         let all = [typed.value].into_iter().chain(typed.others);
         let mut all: Vec<Read> = all
             .map(|expr| Read {
@@ -192,7 +195,7 @@ impl Prepared {
         } else {
             all.truncate(1);
         }
-        Ok(all)
+        all
     }
 
     fn reading(&self, expr: &Expr) -> Reading {
@@ -285,13 +288,22 @@ impl Prepared {
 
     /// The readings of a formula. Where all is real, the imaginary unit may stand in what comes out real, `|1 + iζ|`.
     fn read(&self, response: Passage<'_>) -> Result<Typed<Expr>, TypedError> {
+        self.read_where(response, &|forms| self.are_same(forms))
+    }
+
+    /// The same, of several sides that stand for themselves where these are `alike`.
+    fn read_where(
+        &self,
+        response: Passage<'_>,
+        alike: &dyn Fn(&[Expr]) -> bool,
+    ) -> Result<Typed<Expr>, TypedError> {
         let stated = self.stated(response)?;
         self.in_manner(|manner| {
             let formula = stated.formula(&self.setup.lexicon, manner);
             match formula {
                 // `½ I θ'² = ½ m l² θ'²`, each side of which is the answer.
                 Err(error) if error.trouble == Trouble::Unsolved => {
-                    self.equal_forms(&stated, manner).ok_or(error)
+                    self.last_form(&stated, manner, alike).ok_or(error)
                 }
                 formula => formula,
             }
@@ -317,20 +329,33 @@ impl Prepared {
         )
     }
 
-    /// The last of the sides of a statement without a symbol, if all of them are the same.
-    fn equal_forms(&self, stated: &Stated<'_>, manner: Manner) -> Option<Typed<Expr>> {
-        let mut forms = stated.all_forms(&self.setup.lexicon, manner).ok()?;
+    /// The last of the sides of a statement without a symbol, if all of them have the dimension that is asked and are
+    /// `alike`.
+    fn last_form(
+        &self,
+        stated: &Stated<'_>,
+        manner: Manner,
+        alike: &dyn Fn(&[Expr]) -> bool,
+    ) -> Option<Typed<Expr>> {
+        let forms = stated.all_forms(&self.setup.lexicon, manner).ok()?;
         let fits = |expr: &Expr| self.misfit(expr).is_none();
-        let last = forms.pop()?.fitting(fits);
-        let own = self.comparable(&last)?;
-        let are_same = forms.into_iter().all(|form| {
-            let form = self.comparable(&form.fitting(fits));
-            form.is_some_and(|form| self.points.compare(&own, &form) == Comparison::Same)
-        });
-        are_same.then_some(Typed {
-            value: last,
+        let forms: Vec<Expr> = forms.into_iter().map(|form| form.fitting(fits)).collect();
+        let last = forms
+            .last()
+            .filter(|_| forms.iter().all(fits) && alike(&forms))?;
+        Some(Typed {
+            value: last.clone(),
             others: Vec::new(),
         })
+    }
+
+    /// Whether all of some formulas are the same.
+    fn are_same(&self, forms: &[Expr]) -> bool {
+        let mut all = forms.iter().map(|form| self.comparable(form));
+        let Some(Some(first)) = all.next() else {
+            return false;
+        };
+        all.all(|own| own.is_some_and(|own| self.points.compare(&first, &own) == Comparison::Same))
     }
 
     /// The last side of a statement that begins with steps in letters of one's own, `F_R/k = μ m g/k`; none of them is
@@ -546,11 +571,13 @@ impl Marker for Prepared {
 
     fn echo(&self, response: Passage<'_>) -> Result<Echo, Unreadable> {
         let unread = |error: TypedError| Unreadable::typed(&error, response);
-        let readings = match self.readings(response) {
+        // Whether sides are the same may tell of a key that an earlier part asks for.
+        let readings = |own: Passage<'_>| Ok(self.readings_of(self.read_where(own, &|_| true)?));
+        let readings = match readings(response) {
             Ok(readings) => readings,
             Err(error) => {
                 let cut = self.before_unit(response).ok_or_else(|| unread(error))?;
-                self.readings(cut.formula).map_err(unread)?
+                readings(cut.formula).map_err(unread)?
             }
         };
         let readings = readings.iter().map(|read| self.reading(&read.expr));
