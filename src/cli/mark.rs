@@ -1,9 +1,11 @@
 //! `vibank mark`
 
+use clap::builder::{PossibleValuesParser, TypedValueParser};
 use serde_json::{Map, Value as Json};
 use vibank::answer::{Doubt, Verdict};
 use vibank::grade::request::{self, MarkRequest};
 use vibank::solution::Session;
+use vibank::unit::DecimalMark;
 
 use super::bank::BankArgument;
 use super::doubt::doubt;
@@ -41,11 +43,14 @@ pub(crate) struct Arguments {
     /// as on paper, or it is left to the teacher.
     #[arg(long, value_name = "POLICY", default_value = "ask", value_parser = doubt())]
     doubt: Doubt,
+    /// The decimal sign of whoever answers; with a comma, `1,250` has one reading.
+    #[arg(long, value_name = "SIGN", default_value = ".", value_parser = decimal())]
+    decimal: DecimalMark,
     /// Print JSON.
     #[arg(long)]
     json: bool,
     /// Read requests from standard input, one JSON object a line.
-    #[arg(long, conflicts_with_all = ["item", "part", "response", "set", "earlier", "seed", "doubt"])]
+    #[arg(long, conflicts_with_all = ["item", "part", "response", "set", "earlier", "seed", "doubt", "decimal"])]
     jsonl: bool,
     #[command(flatten)]
     bank: BankArgument,
@@ -65,6 +70,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         response: arguments.response.clone().unwrap_or_default(),
         earlier: earlier(&arguments.earlier)?,
         doubt: arguments.doubt,
+        decimal: arguments.decimal,
         tag: None,
     };
     let reply = request::reply(&mut session, request);
@@ -95,6 +101,12 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         Verdict::Right => Outcome::Done,
         _ => Outcome::Findings,
     })
+}
+
+/// Reads a decimal sign.
+fn decimal() -> impl TypedValueParser<Value = DecimalMark> {
+    let of_text = |sign: String| sign.chars().find_map(DecimalMark::of_char);
+    PossibleValuesParser::new([".", ","]).map(move |sign| of_text(sign).unwrap_or_default())
 }
 
 /// Answers to earlier parts, by part.

@@ -5,7 +5,8 @@
 //! {"id":"ch4/p3-base-excited-relative","part":"omega_n","response":"1.095 rad/s","earlier":{"k_eq":"k1*k2/(k1 + k2)"}}
 //! ```
 
-use serde::{Deserialize, Serialize, Serializer};
+use serde::de::Error as _;
+use serde::{Deserialize, Deserializer, Serialize, Serializer};
 use serde_json::{Map, Value as Json};
 
 use super::{Comment, Grade, remarks};
@@ -15,6 +16,7 @@ use crate::math::Math;
 use crate::message::Language;
 use crate::solution::Session;
 use crate::solution::request::{Refusal, read};
+use crate::unit::DecimalMark;
 
 /// A response to be marked.
 #[derive(Clone, Debug, Deserialize)]
@@ -38,6 +40,9 @@ pub struct MarkRequest {
     /// What becomes of it where it has two readings with different verdicts; if absent whoever answers is asked.
     #[serde(default)]
     pub doubt: Doubt,
+    /// The decimal sign of whoever answers; with a comma, `1,250` is no doubt.
+    #[serde(default, deserialize_with = "decimal")]
+    pub decimal: DecimalMark,
     /// Any value, returned.
     #[serde(default)]
     pub tag: Option<Json>,
@@ -134,7 +139,8 @@ fn marked(session: &mut Session<'_>, request: &MarkRequest) -> Result<Marked, Re
         }
         responses.push((earlier, response));
     }
-    let solution = session.solution(template, request.seed, &request.set, request.doubt)?;
+    let (set, doubt, mark) = (&request.set, request.doubt, request.decimal);
+    let solution = session.solution(template, request.seed, set, doubt, mark)?;
     let grade = Grade::mark(&solution, responses);
     let marking = grade.part(place).expect("its response was marked");
     let reading = marking.reading.as_ref();
@@ -147,6 +153,13 @@ fn marked(session: &mut Session<'_>, request: &MarkRequest) -> Result<Marked, Re
         reasons: marking.reasons().iter().map(Reason::code).collect(),
         feedback: remarks(&solution, place, marking, Language::default()),
     })
+}
+
+/// A decimal sign.
+fn decimal<'de, D: Deserializer<'de>>(deserializer: D) -> Result<DecimalMark, D::Error> {
+    let sign = char::deserialize(deserializer)?;
+    DecimalMark::of_char(sign)
+        .ok_or_else(|| D::Error::custom(format!("`decimal` is \".\" or \",\", not \"{sign}\"")))
 }
 
 /// The place of a part in its item.

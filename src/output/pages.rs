@@ -142,11 +142,7 @@ impl Run {
             scan_marks: false,
             is_keyed: true,
             names: Names::default(),
-            mark: if decimal == ',' {
-                DecimalMark::Comma
-            } else {
-                DecimalMark::Point
-            },
+            mark: DecimalMark::of_char(decimal).unwrap_or_default(),
         }
     }
 
@@ -180,11 +176,7 @@ impl Run {
             scan_marks: blueprint.scan_marks,
             is_keyed: blueprint.secret.is_some(),
             names: Names::default(),
-            mark: if blueprint.decimal == ',' {
-                DecimalMark::Comma
-            } else {
-                DecimalMark::Point
-            },
+            mark: DecimalMark::of_char(blueprint.decimal).unwrap_or_default(),
         }
     }
 

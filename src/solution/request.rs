@@ -9,7 +9,6 @@ use serde::{Deserialize, Serialize, Serializer};
 use serde_json::{Map, Value as Json, json};
 
 use super::{Entry, Session, Solution};
-use crate::answer::Doubt;
 use crate::bank::{ParameterError, Template};
 use crate::expr::Precise;
 use crate::instance::{Instance, InstanceError};
@@ -176,8 +175,8 @@ pub fn reply(session: &mut Session<'_>, request: SolveRequest) -> (SolveReply, O
 fn solve(session: &mut Session<'_>, request: &SolveRequest) -> Result<(Solved, Trace), Refusal> {
     let template = session.find(&request.id)?;
     let at = times(&request.at)?;
-    let doubt = Doubt::default();
-    let solution = session.solution(template, request.seed, &request.set, doubt)?;
+    let (doubt, mark) = Default::default();
+    let solution = session.solution(template, request.seed, &request.set, doubt, mark)?;
     let mut answers: Vec<(String, Entry)> = Vec::new();
     match &request.want {
         Some(ids) => {

@@ -9,6 +9,7 @@ use super::Solution;
 use super::request::{Refusal, instance};
 use crate::answer::Doubt;
 use crate::bank::{Catalogue, Template};
+use crate::unit::DecimalMark;
 
 /// Solutions that are kept. One with all its parts prepared takes up to half a megabyte, so that these are the whole bank
 /// for one set of data, and no more than some fifty megabytes.
@@ -39,13 +40,14 @@ pub struct Session<'c> {
     is_lost: bool,
 }
 
-/// What makes a solution: the item, the seed, what is set as it was written, and how doubts are settled.
+/// What makes a solution: the item, the seed, what is set as it was written, how doubts are settled, and the decimal sign.
 #[derive(PartialEq, Eq, PartialOrd, Ord)]
 struct SessionKey {
     item: String,
     seed: Option<u64>,
     set: String,
     doubt: Doubt,
+    mark: char,
 }
 
 struct KeptSolution<'c> {
@@ -96,6 +98,7 @@ impl<'c> Session<'c> {
         seed: Option<u64>,
         set: &Map<String, Json>,
         doubt: Doubt,
+        mark: DecimalMark,
     ) -> Result<Rc<Solution<'c>>, Refusal> {
         self.count += 1;
         let data = SessionKey {
@@ -107,12 +110,14 @@ impl<'c> Session<'c> {
                 Json::Object(set.clone()).to_string()
             },
             doubt,
+            mark: mark.char(),
         };
         if let Some(kept) = self.kept.get_mut(&data) {
             kept.last = self.count;
             return Ok(Rc::clone(&kept.solution));
         }
-        let solution = Rc::new(Solution::of(instance(template, seed, set)?).settling(doubt));
+        let solution = Solution::with_mark(instance(template, seed, set)?, mark).settling(doubt);
+        let solution = Rc::new(solution);
         if data.set.len() <= MAX_DATA_LENGTH {
             self.keep(data, Rc::clone(&solution));
         }
@@ -144,7 +149,7 @@ mod tests {
             .expect("an item");
         let none = Map::new();
         let mut of = |seed, set: &Map<String, Json>| {
-            let solution = session.solution(template, seed, set, Doubt::Ask);
+            let solution = session.solution(template, seed, set, Doubt::Ask, DecimalMark::Point);
             solution.expect("a solution")
         };
         let first = of(Some(1), &none);

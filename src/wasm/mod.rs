@@ -174,11 +174,7 @@ impl Grader {
         let seed: Seed = variant.item(template.id.as_str(), None);
         let instance =
             Instance::of(template, Some(seed), &set).map_err(|error| error.to_string())?;
-        let mark = if self.practice.decimal == ',' {
-            DecimalMark::Comma
-        } else {
-            DecimalMark::Point
-        };
+        let mark = DecimalMark::of_char(self.practice.decimal).unwrap_or_default();
         Ok(Solution::with_mark(instance, mark).settling(self.practice.doubt))
     }
 

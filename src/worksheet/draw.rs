@@ -47,11 +47,7 @@ impl<'c> Sheet<'c> {
         variant: Variant,
         student: Option<Student>,
     ) -> Result<Self, SheetError> {
-        let mark = if plan.blueprint.decimal == ',' {
-            DecimalMark::Comma
-        } else {
-            DecimalMark::Point
-        };
+        let mark = DecimalMark::of_char(plan.blueprint.decimal).unwrap_or_default();
         let order = order(plan, variant);
         let mut taken: Vec<&Template> = Vec::new();
         let mut questions = Vec::new();

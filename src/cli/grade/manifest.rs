@@ -249,10 +249,6 @@ pub(crate) fn solution_of<'i>(
         .collect();
     let instance =
         Instance::of(template, Some(Seed::new(question.seed)), &known).map_err(Failure::of)?;
-    let mark = if decimal == ',' {
-        DecimalMark::Comma
-    } else {
-        DecimalMark::Point
-    };
+    let mark = DecimalMark::of_char(decimal).unwrap_or_default();
     Ok(Solution::with_mark(instance, mark).settling(doubt))
 }

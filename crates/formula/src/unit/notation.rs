@@ -20,6 +20,15 @@ pub enum DecimalMark {
 }
 
 impl DecimalMark {
+    /// The one of a character.
+    pub const fn of_char(char: char) -> Option<Self> {
+        match char {
+            '.' => Some(Self::Point),
+            ',' => Some(Self::Comma),
+            _ => None,
+        }
+    }
+
     /// The character.
     pub const fn char(self) -> char {
         match self {
