@@ -408,7 +408,8 @@ impl<'t> Passage<'t> {
 
     /// What is concluded last in it, `mg = μmg, so 1`.
     pub fn concluded(self) -> Option<Self> {
-        let words = CONCLUDING.iter().map(|word| format!(" {word} "));
+        let words = [' ', '\n'].into_iter();
+        let words = words.flat_map(|end| CONCLUDING.iter().map(move |own| format!("{end}{own} ")));
         let ends = words.filter_map(|word| Some(self.0.rfind(&word)? + word.len()));
         Some(Self::of(&self.0[ends.max()?..]))
     }

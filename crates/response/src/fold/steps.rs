@@ -30,10 +30,10 @@ const AMBIGUOUS_ARROWS: [&str; 6] = ["=>", "->", "→", "⟶", "\\rightarrow", "
 const OF_ARROWS: [char; 9] = ['>', '\\', '⇒', '⟹', '⇔', '⟺', '∴', '→', '⟶'];
 
 /// What may stand with an arrow before the first step of a line.
-const ARROWS_AND_SPACES: [char; 9] = [' ', '\n', '⇒', '⟹', '⇔', '⟺', '∴', '→', '⟶'];
+const ARROWS_AND_SPACES: [char; 12] = [' ', '\n', '=', '-', '>', '⇒', '⟹', '⇔', '⟺', '∴', '→', '⟶'];
 
-/// Where the last step begins in a line that has some, after its arrow.
-fn end_of_steps(line: &str) -> Option<usize> {
+/// Where the last step begins in a line that has some, after its arrow; an arrow in front leads from the line before.
+fn end_of_steps(line: &str, line_before: &str) -> Option<usize> {
     // In one pass: the searches for all arrows take longer than all the rest of a line without one.
     if !line.contains(OF_ARROWS) {
         return None;
@@ -43,6 +43,11 @@ fn end_of_steps(line: &str) -> Option<usize> {
         .filter_map(|arrow| Some((line.rfind(arrow)?, *arrow)));
     let (at, arrow) = found.max_by_key(|(at, arrow)| at + arrow.len())?;
     let (before, behind) = (&line[..at], &line[at + arrow.len()..]);
+    let from = if before.trim().is_empty() {
+        line_before
+    } else {
+        before
+    };
     let is_command =
         arrow.starts_with('\\') && behind.starts_with(|next: char| next.is_ascii_alphabetic());
     let is_within =
@@ -51,7 +56,7 @@ fn end_of_steps(line: &str) -> Option<usize> {
     let is_led_to = before.trim().is_empty() || before.contains(['=', '≈', '<', '>', '≤', '≥']);
     let compares = |text: &str| text.contains(['<', '>', '≤', '≥']);
     let is_sure = if AMBIGUOUS_ARROWS.contains(&arrow) {
-        relates(before) && relates(behind) || arrow != "=>" && compares(before) && compares(behind)
+        relates(from) && relates(behind) || arrow != "=>" && compares(before) && compares(behind)
     } else {
         is_led_to
     };
@@ -142,7 +147,8 @@ impl Folder<'_> {
             if let Some((arrow, length)) = arrow_to_value(line) {
                 self.equals.push((own.start + arrow, length));
             }
-            if let Some(end) = end_of_steps(line) {
+            let text_before = line_before.clone().map_or("", |own| &self.typed[own]);
+            if let Some(end) = end_of_steps(line, text_before) {
                 let is_first = line[..end].trim_start_matches(ARROWS_AND_SPACES).is_empty();
                 let from = line_before
                     .filter(|_| is_first)
