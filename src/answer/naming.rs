@@ -175,7 +175,7 @@ impl Naming {
 
     /// The name of what is asked, if a label is its printed symbol.
     fn printed_name(&self, label: Passage<'_>) -> Result<Option<&Name>, Unreadable> {
-        let typed = Label::of_passage(label);
+        let typed = Label::of_passage(behind_words(label));
         let of_omega = typed.with_omega();
         // What is asked may be printed as another quantity is that serves its solution.
         let printed = self.printed.iter();
@@ -260,6 +260,7 @@ impl Naming {
     }
 
     fn is_of_another(&self, label: Passage<'_>) -> bool {
+        let label = behind_words(label);
         if self.is_of_other_complex(label) || self.is_root_of_asked(label) {
             return true;
         }
@@ -369,6 +370,12 @@ impl Naming {
             && factors.iter().all(|own| is_asked(*own) || is_factor(own))
             && factors.iter().any(is_factor)
     }
+}
+
+/// A symbol without the words that describe it, `the elongation x2`.
+fn behind_words(label: Passage<'_>) -> Passage<'_> {
+    let symbol = label.described().filter(|own| !own.is_empty());
+    symbol.unwrap_or(label)
 }
 
 /// Whether a formula is a sum or a difference.

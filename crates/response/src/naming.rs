@@ -1,7 +1,7 @@
 //! The symbols that stand beside equals signs and say what is answered.
 
 use super::label::without_unit;
-use super::list::cut;
+use super::list::cut_where;
 use super::{Folded, Passage};
 use crate::signs::is_of_name;
 use vibank_source::Span;
@@ -22,26 +22,34 @@ pub fn label_behind<'f>(response: &'f Folded<'_>) -> Option<(Passage<'f>, usize)
     begins_value(value).then(|| (Passage::of(name), value.len()))
 }
 
-/// What stands before the first equals sign of each statement, or after the last where a value stands first.
+/// What stands before the first equals sign of each statement, or after the last where a value stands first; and what stands
+/// before a colon.
 pub(crate) fn labels(response: &str) -> Vec<Passage<'_>> {
-    if !response.contains(['=', '≈']) {
+    if !response.contains(['=', '≈', ':']) {
         return Vec::new();
     }
     let whole = Span::new(0, response.len());
+    // `1 : 2` is a ratio.
+    let is_colon =
+        |at: usize| response[at..].starts_with(": ") && !response[..at].ends_with([' ', ':']);
+    let is_end = |at: usize, char: char| ";,\n".contains(char) || is_colon(at);
     let label = |statement: Span| {
         let text = &response[statement.range()];
-        let end = text.find(['=', '≈'])?;
+        let Some(end) = text.find(['=', '≈']) else {
+            let is_led = response[statement.range().end..].starts_with(':');
+            return is_led.then(|| Passage::of(text));
+        };
         let last = text.rsplit(['=', '≈']).next().unwrap_or(text);
         let is_name = last.trim_start().starts_with(char::is_alphabetic);
         let is_last = is_name && begins_value(text);
         Some(Passage::of(if is_last { last } else { &text[..end] }))
     };
-    let statements = cut(response, whole, &[';', ',', '\n']).into_iter();
+    let statements = cut_where(response, whole, is_end).into_iter();
     statements.filter_map(label).collect()
 }
 
 /// Whether a text begins as a number does.
-fn begins_value(text: &str) -> bool {
+pub(crate) fn begins_value(text: &str) -> bool {
     text.trim_start()
         .starts_with(|first: char| first.is_ascii_digit() || "+-.√(".contains(first))
 }
