@@ -100,10 +100,13 @@ fn recalled(
     marking
 }
 
-/// Whether what is read in place of a response names no other quantity than the one that is asked, and no condition that
-/// never holds.
+/// Whether what is read in place of a response names no other quantity than the one that is asked, comes from no steps
+/// that may be a multiple of it, `2 x1 with F = m g: …`, and has no condition that never holds.
 fn may_answer(naming: &Naming, marker: &dyn Marker, other: &Reworded) -> bool {
-    naming.check(other.passage()).is_ok() && other.conditions().all(|own| marker.may_hold(own))
+    let steps = other.steps();
+    naming.check(other.passage()).is_ok()
+        && (steps.is_empty() || !naming.may_have_asked(steps))
+        && other.conditions().all(|own| marker.may_hold(own))
 }
 
 /// A longer answer is no answer with something said beside it, and takes its time for each way to read it.

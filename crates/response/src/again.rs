@@ -9,7 +9,7 @@ type Rereading = fn(&str) -> Option<Reworded>;
 
 /// The ways, in the order in which they are tried. What comes out of one is an answer where it is right, so that no way
 /// makes a wrong one of what could not be read.
-const WAYS: [Rereading; 10] = [
+const WAYS: [Rereading; 11] = [
     // What is said after an answer, where it holds or where it comes from, does not change it.
     |text| {
         let before = aside::before(text)?;
@@ -21,6 +21,11 @@ const WAYS: [Rereading; 10] = [
     |text| sides::without_names(text).map(Reworded::of),
     // Nor do words before it that describe it; a comma after them may also part two answers, so that they come later.
     |text| aside::behind(text).map(Reworded::from),
+    // Where it comes from may be said before it in formulas, too.
+    |text| {
+        let [said, formula] = aside::explained(text)?;
+        Some(Reworded::from(formula).behind(said))
+    },
     // What steps lead to is the answer: `½ k (2x)² = ½ (4k) x² → 4k`.
     |text| Some(Reworded::from(Passage::of(text).concluded()?.text())),
     // So is the last of several equations: those before it have letters that are eliminated.

@@ -2,7 +2,9 @@
 //! `… = 0 by Newton's law`.
 
 use super::letters::greek_word;
+use super::naming::begins_value;
 use super::reworded::Reworded;
+use super::sides::{described, is_word};
 use super::signs::is_apostrophe;
 use super::surroundings::behind_word;
 use super::words::{CONDITIONS, COUNTING, DENIALS, METHODS, OTHER_VALUES, SOURCES, TURNING};
@@ -87,6 +89,31 @@ pub(crate) fn behind(text: &str) -> Option<&str> {
     (is_remark(said) && !formula.is_empty()).then_some(formula)
 }
 
+/// What comes behind a colon, and the words with formulas before it that say where it comes from,
+/// `2k1 in series with k2: 2k1k2/(2k1+k2)`; none where these name it, `spring 2: …`, or say that it is another one.
+pub(crate) fn explained(text: &str) -> Option<[&str; 2]> {
+    let (said, formula) = text.split_once(": ")?;
+    // `x2 from the force`
+    let is_name = |word: &str| {
+        let is_one = word.chars().count() == 1 || greek_word(&lower(word)).is_some();
+        is_word(word)
+            && (is_one || word.contains(|char: char| char.is_ascii_digit() || char == '_'))
+    };
+    let begins = |said: &str| said.split_whitespace().next().is_some_and(is_name);
+    let is_named = begins(said) || described(said).is_some_and(begins) || said.ends_with(' ');
+    let is_number = |word: &str| word.bytes().all(|byte| byte.is_ascii_digit());
+    let is_said = |word: &str| is_long(word) && word.bytes().all(|byte| byte.is_ascii_alphabetic());
+    // `when x = 0` holds elsewhere, perhaps.
+    let mut values = said.split('=').skip(1).map(str::trim_start);
+    let is_elsewhere =
+        values.any(|own| begins_value(own) || own.starts_with('π') || own.starts_with("pi"));
+    let mut words = said.split_whitespace();
+    let is_explained =
+        words.clone().any(is_said) && !words.any(|own| changes(own) || is_number(own));
+    (is_explained && !is_named && !is_elsewhere && !formula.contains(':'))
+        .then_some([said, formula])
+}
+
 /// Whether a text is a condition, or of words alone.
 fn is_aside(said: &str) -> bool {
     let begins = |word: &str| behind_word(said, word).is_some();
@@ -111,8 +138,6 @@ pub(crate) fn changes(word: &str) -> bool {
 
 /// Whether a text is of words alone, none of which says that the formula is another one.
 fn is_remark(said: &str) -> bool {
-    /// Shorter words may be letters of a formula, and units.
-    const MIN_LETTERS: usize = 4;
     let words = said.split_whitespace();
     let mut words = words.map(|word| word.trim_end_matches([',', ';']));
     let is_of_word = |char: char| char.is_alphabetic() || char == '-' || is_apostrophe(char);
@@ -121,12 +146,6 @@ fn is_remark(said: &str) -> bool {
         let bare = word.trim_start_matches(|char: char| char.is_ascii_digit());
         ["st", "nd", "rd", "th", "e"].contains(&bare)
     };
-    let is_long = |word: &str| {
-        word.chars().count() >= MIN_LETTERS
-            && word.is_ascii()
-            && greek_word(&lower(word)).is_none()
-            && !word.ends_with("dot")
-    };
     words.clone().any(is_long)
         && words.all(|word| {
             // `-y` is a direction, `-π` a value.
@@ -134,6 +153,16 @@ fn is_remark(said: &str) -> bool {
             let is_word = word.chars().all(is_of_word) && !is_direction;
             is_word && !changes(word) || is_ordinal(word)
         })
+}
+
+/// Whether a word is no letter of a formula and no unit.
+fn is_long(word: &str) -> bool {
+    /// Shorter words may be either.
+    const MIN_LETTERS: usize = 4;
+    word.chars().count() >= MIN_LETTERS
+        && word.is_ascii()
+        && greek_word(&lower(word)).is_none()
+        && !word.ends_with("dot")
 }
 
 #[cfg(test)]

@@ -7,6 +7,7 @@ use super::words::FACTORS;
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Reworded {
     text: String,
+    steps: String,
     conditions: Vec<String>,
 }
 
@@ -20,6 +21,7 @@ impl Reworded {
     pub(crate) fn of(text: String) -> Self {
         Self {
             text,
+            steps: String::new(),
             conditions: Vec::new(),
         }
     }
@@ -29,9 +31,20 @@ impl Reworded {
         Self { conditions, ..self }
     }
 
+    /// The same where it is said to come from these steps.
+    pub(crate) fn behind(self, steps: &str) -> Self {
+        let steps = steps.to_owned();
+        Self { steps, ..self }
+    }
+
     /// As it is read.
     pub fn passage(&self) -> Passage<'_> {
         Passage::of(&self.text)
+    }
+
+    /// The steps that it was said to come from; empty where there were none.
+    pub fn steps(&self) -> Passage<'_> {
+        Passage::of(&self.steps)
     }
 
     /// The relations that were said to hold for it, `ζ < 1` of `… for ζ < 1`.
