@@ -153,7 +153,7 @@ impl Naming {
         }
         let is_asked = |label: Passage<'_>| self.is_of_asked(label);
         let place = response
-            .answering(is_asked)
+            .answering(is_asked, |label| self.is_printed(label))
             .or_else(|| response.behind_name(is_asked));
         match place {
             Some(place) => response.part(place),
@@ -227,7 +227,12 @@ impl Naming {
         let is_name = self
             .reads(label.without_frame())
             .is_some_and(|typed| self.is_asked(&typed));
-        is_name || matches!(self.printed_name(label), Ok(Some(_)))
+        is_name || self.is_printed(label)
+    }
+
+    /// Whether a symbol is the one that is asked as that is printed, where it is no name.
+    fn is_printed(&self, label: Passage<'_>) -> bool {
+        matches!(self.printed_name(label), Ok(Some(_)))
     }
 
     /// Whether a letter of a side may be what is asked, `2 ω`, also where its other letters are not known, or what is

@@ -11,8 +11,13 @@ use super::surroundings::behind_word;
 use super::words::{CONCLUSIONS, PLACES};
 use vibank_source::Span;
 
-/// The only statement that `answers` among others, or the first one where it has no equals sign.
-pub(crate) fn answering<'t>(text: &'t str, answers: impl Fn(Passage<'t>) -> bool) -> Option<Span> {
+/// The only statement that `answers` among others, or the first one where it has no equals sign; one with the `whole`
+/// symbol of what is asked counts beside complex numbers.
+pub(crate) fn answering<'t>(
+    text: &'t str,
+    answers: impl Fn(Passage<'t>) -> bool,
+    is_whole: impl Fn(Passage<'t>) -> bool,
+) -> Option<Span> {
     // `x = 3 m or y = 4 m` leaves a choice, an inequality is one that counts.
     let is_open = text.split(' ').any(|word| word == "or") || text.contains(['<', '>', '≤', '≥']);
     if is_open {
@@ -38,15 +43,23 @@ pub(crate) fn answering<'t>(text: &'t str, answers: impl Fn(Passage<'t>) -> bool
         return None;
     }
     let label = |own: &Span| label(text, *own).map(|label| Passage::of(&text[label.range()]));
-    let mut answering = all.iter().filter(|own| label(own).is_some_and(&answers));
+    let mut answering: Vec<&Span> = all.iter().collect();
+    answering.retain(|own| label(own).is_some_and(&answers));
+    // `Z = 3 - 4j, |Z| = 5 Ω`
+    let is_whole = |own: &Span| label(own).is_some_and(&is_whole);
+    let is_complex = |own: &Span| Passage::of(&text[own.range()]).may_be_complex();
+    let is_either = |own: &&Span| is_whole(own) != is_complex(own);
+    if answering.len() > 1 && answering.iter().all(is_either) {
+        answering.retain(|own| is_whole(own));
+    }
     // `V'' = 3 J at θ = 0` says where the only value holds.
     let is_condition = |own: &Span| {
         let before = text[..own.range().start].trim_end();
         PLACES.iter().any(|word| before.ends_with(word))
     };
-    match (answering.next(), answering.next()) {
-        (Some(only), None) => label(&all[0]).map(|_| *only),
-        (None, _) if label(&all[0]).is_none() || all[1..].iter().all(is_condition) => Some(all[0]),
+    match answering[..] {
+        [only] => label(&all[0]).map(|_| *only),
+        [] if label(&all[0]).is_none() || all[1..].iter().all(is_condition) => Some(all[0]),
         _ => None,
     }
 }
@@ -85,8 +98,8 @@ mod tests {
     #[test]
     fn one_statement_answers() {
         let of = |text: &'static str| {
-            let answers = |label: Passage<'_>| label.is("k");
-            answering(text, answers).map(|place| &text[place.range()])
+            let answers = |label: Passage<'_>| label.is("k") || label.is("|k|");
+            answering(text, answers, |label| label.is("|k|")).map(|place| &text[place.range()])
         };
         for (typed, answer) in [
             ("k = 3 N/m, K = 4 N/m", Some("k = 3 N/m")),
@@ -105,6 +118,10 @@ mod tests {
             ("ω = 9; k = 3 N/m", Some("k = 3 N/m")),
             ("ω = 9; ω = 10", None),
             ("x1 : k = 3 : 4", None),
+            ("k = 3 - 4j, |k| = 5 N/m", Some("|k| = 5 N/m")),
+            ("|k| = 5 N/m, k = 3 - 4j", Some("|k| = 5 N/m")),
+            ("k = 6 N/m, |k| = 5 N/m", None),
+            ("k = 3 - 4j, |k| = 5j", None),
             ("k = 3 N/m, k = 4 N/m", None),
             ("k = 3 N/m or K = 4 N/m", None),
             ("K = 3 N/m, T = 4 s", None),

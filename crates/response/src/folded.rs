@@ -139,9 +139,13 @@ impl<'t> Folded<'t> {
     }
 
     /// Where the only statement stands that `answers`, by what is before its equals sign, among others that do not; where
-    /// that is the first one, nothing need be before it.
-    pub fn answering<'f>(&'f self, answers: impl Fn(Passage<'f>) -> bool) -> Option<Span> {
-        answering(self.text(), answers)
+    /// that is the first one, nothing need be before it. Beside complex numbers it is that of the `whole` symbol.
+    pub fn answering<'f>(
+        &'f self,
+        answers: impl Fn(Passage<'f>) -> bool,
+        is_whole: impl Fn(Passage<'f>) -> bool,
+    ) -> Option<Span> {
+        answering(self.text(), answers, is_whole)
     }
 
     /// Where the value stands after the name of what is asked, with no sign between them, `x_a 3 m`.
