@@ -366,10 +366,12 @@ impl Prepared {
         let (last, steps) = pieces.split_last()?;
         let read = |side: &Passage<'_>| side.formula(&self.setup.lexicon, self.manner());
         let has_asked = |side: &Passage<'_>| self.setup.naming.may_have_asked(*side);
-        if read(steps.first()?).is_ok() || steps.iter().any(has_asked) {
-            return None;
-        }
-        read(last).ok()
+        let last = read(last).ok()?;
+        let is_same = |own: Typed<Expr>| self.are_same(&[own.value, last.value.clone()]);
+        // `m + I/R^2 = m + m/2 = 3m/2`: the answer itself is no multiple of what is asked.
+        let is_of_asked = |side: &Passage<'_>| has_asked(side) && !read(side).is_ok_and(is_same);
+        let is_in_own_letters = read(steps.first()?).is_err();
+        (is_in_own_letters && !steps.iter().any(is_of_asked)).then_some(last)
     }
 
     /// What is read in the manner of the key.
