@@ -118,7 +118,8 @@ fn count(said: &str, known: &Wording) -> Option<String> {
         item.starts_with(|first: char| first.is_alphabetic() || first == '\\')
             && (item.contains('=') || !item.contains([' ', '<', '>', '+']))
     };
-    let is_value = |item: &&str| !is_name(item) && !item.contains(' ');
+    let is_value =
+        |item: &&str| is_name(item) || !item.trim_start_matches(['±', ' ']).contains(' ');
     let is_said = if items.iter().all(is_name) || items.len() > 1 && items.iter().all(is_value) {
         let pairs = items.iter().filter(|item| item.starts_with('±')).count();
         number == (items.len() + pairs).to_string()

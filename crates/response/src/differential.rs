@@ -197,11 +197,10 @@ pub(crate) fn called(text: &str, at: usize) -> Option<(String, u8, usize)> {
     let order = own + order;
     let end = at + name.len() + 1 + close + 1;
     // `(D@@2)(x)(t)`
-    let time = if text[end..].starts_with("(t)") {
-        "(t)".len()
-    } else {
-        0
-    };
+    let is_of_time = ["(t)", "[t]"]
+        .iter()
+        .any(|time| text[end..].starts_with(time));
+    let time = if is_of_time { "(t)".len() } else { 0 };
     (order <= 2).then_some((spelling, order, end + time))
 }
 

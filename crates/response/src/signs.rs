@@ -194,6 +194,9 @@ pub(crate) const RUNS: &[(&str, &str)] = &[
     // Derivatives of Maple.
     ("t$2", "t,2"),
     ("(D@@2)", "ddot"),
+    // And of Mathematica.
+    ("Derivative[1]", "dot"),
+    ("Derivative[2]", "ddot"),
     // The constants of Maxima.
     ("%pi", "pi"),
     ("%i", "i"),

@@ -133,6 +133,7 @@ pub(crate) const WORDS: &[(&str, &str)] = &[
     ("more exactly", " "),
     ("more precisely", " "),
     ("exactly", " "),
+    ("exact", " "),
     ("precisely", " "),
     ("finally", " "),
     ("approximately", " "),
