@@ -261,6 +261,12 @@ impl<'t> Reader<'t> {
     }
 
     fn condition(&self, span: Span) -> Read<'t, Condition<'t>> {
+        // `x < 3 m, or x > 5 m`
+        let length = self.text[span.range()]
+            .trim_end()
+            .trim_end_matches(',')
+            .len();
+        let span = Span::new(span.range().start, span.range().start + length);
         let (mut span, mut units) = (trimmed(self.text, span), Vec::new());
         if span.range().is_empty() {
             return Err(RangeError::Missing);
@@ -281,12 +287,10 @@ impl<'t> Reader<'t> {
             let sides = sides.into_iter().map(|side| self.side(side.range()));
             let sides: Vec<Passage<'t>> = sides.collect();
             match (&sides[..], &signs[..]) {
-                // `above 0.2 up to 0.5`
-                ([subject, low, high], [above, upto])
-                    if subject.is_empty() && !above.is_less && upto.is_less =>
-                {
+                // `above 0.2 up to 0.5`, `x > 0.2 up to 0.5`
+                ([subject, low, high], [above, upto]) if !above.is_less && upto.is_less => {
                     Said::Interval {
-                        subject: None,
+                        subject: Some(*subject).filter(|subject| !subject.is_empty()),
                         ends: [*low, *high],
                         open: Some([above.is_open, upto.is_open]),
                     }
