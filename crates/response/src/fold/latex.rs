@@ -5,7 +5,7 @@ use crate::letters::greek_word;
 use crate::signs::{
     CASES, COMMANDS, DISPLAYS, FACES, NUMBERED, UNITS, WRAPPERS, escaped, is_minus,
 };
-use crate::words::JOINING;
+use crate::words::{JOINING, STATEMENTS};
 use vibank_dynamics::numerics::sort_by;
 
 /// How the rows of an environment are read.
@@ -220,7 +220,9 @@ impl Folder<'_> {
         }
         if matches!(name, "text" | "mathrm" | "mbox" | "operatorname")
             && let Some(braces) = self.arguments(self.at + length, 1)
-            && JOINING.contains(&self.typed[braces[0] + 1..braces[1]].trim())
+            && [JOINING, STATEMENTS]
+                .iter()
+                .any(|words| words.contains(&self.typed[braces[0] + 1..braces[1]].trim()))
             // `\omega_\mathrm{in}` has an index.
             && !self.text.trim_end().ends_with(['_', '{'])
         {
