@@ -7,7 +7,7 @@ use super::differential::spelling;
 use super::list::{cut_where, trimmed};
 use super::sides::is_word;
 use super::signs::{is_apostrophe, is_digit, is_of_word};
-use super::statements::{moved, statements};
+use super::statements::{is_approximation, moved, statements};
 use super::{
     Chain, Lexicon, Manner, Passage, Trouble, Typed, TypedError, formula_at, letters, sides,
 };
@@ -179,6 +179,7 @@ pub(crate) fn defined_chains(
 ) -> Option<Result<Vec<Typed<Chain>>, TypedError>> {
     let may_redefine = defining == Defining::Anew;
     let mut all = statements(text);
+    all.retain(|own| !is_approximation(&text[own.range()]));
     if let [first, _, ..] = all[..]
         && !text[first.range()].contains(|char| !is_of_word(char) && !" .".contains(char))
     {

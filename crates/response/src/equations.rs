@@ -2,6 +2,7 @@
 
 use super::arguments::is_initial_state;
 use super::list::cut;
+use super::statements::is_approximation;
 use crate::signs::is_digit;
 use vibank_source::Span;
 
@@ -18,10 +19,13 @@ pub(crate) fn equations(text: &str) -> Vec<Span> {
         found.extend(if are_relations { parts } else { vec![line] });
     }
     found.retain(|place| !text[place.range()].trim().is_empty());
-    // The state at the start says nothing of the motion, where that is given.
-    let is_start = |place: &Span| is_initial_state(text[place.range()].trim());
-    if !found.iter().all(is_start) {
-        found.retain(|place| !is_start(place));
+    // The state at the start says nothing of the motion, where that is given; nor does what leads to it.
+    let is_beside = |place: &Span| {
+        let text = text[place.range()].trim();
+        is_initial_state(text) || is_approximation(text)
+    };
+    if !found.iter().all(is_beside) {
+        found.retain(|place| !is_beside(place));
     }
     if found.is_empty() {
         found.push(all);

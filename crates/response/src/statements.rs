@@ -83,6 +83,24 @@ pub(crate) fn statements_by(text: &str, joint_at: impl Fn(&str) -> Option<usize>
     if found.is_empty() { whole } else { found }
 }
 
+/// Whether a statement says what a function is nearly, `sin θ ≈ θ`, `cos θ ≈ 1`, and is no equation beside others.
+pub(crate) fn is_approximation(statement: &str) -> bool {
+    const AROUND: [char; 4] = [' ', '(', ')', '\\'];
+    let parted = |side: &'_ str| {
+        let side = side.trim_matches(AROUND);
+        let mut names = ["sin", "tan", "cos"].into_iter();
+        let found = names.find_map(|name| Some((Some(name), side.strip_prefix(name)?)));
+        let (name, argument) = found.unwrap_or((None, side));
+        (name, argument.trim_matches(AROUND).to_owned())
+    };
+    let mut sides = statement.split('≈').map(parted);
+    let Some((Some(name), argument)) = sides.next() else {
+        return false;
+    };
+    let nearly = if name == "cos" { "1" } else { &argument };
+    statement.contains('≈') && sides.all(|(_, side)| side == nearly)
+}
+
 /// Whether the point at a place ends a statement before another one, `N = m g. m x'' = -μ N`.
 fn is_full_stop(text: &str, at: usize) -> bool {
     let (before, behind) = (&text[..at], &text[at + 1..]);
