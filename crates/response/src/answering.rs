@@ -19,7 +19,7 @@ pub(crate) fn answering<'t>(
     is_whole: impl Fn(Passage<'t>) -> bool,
 ) -> Option<Span> {
     // `x = 3 m or y = 4 m` leaves a choice, an inequality is one that counts.
-    let is_open = text.split(' ').any(|word| word == "or") || text.contains(['<', '>', '≤', '≥']);
+    let is_open = has_alternatives(text) || text.contains(['<', '>', '≤', '≥']);
     if is_open {
         return None;
     }
@@ -62,6 +62,11 @@ pub(crate) fn answering<'t>(
         [] if label(&all[0]).is_none() || all[1..].iter().all(is_condition) => Some(all[0]),
         _ => None,
     }
+}
+
+/// Whether a word leaves a choice between what it joins, `x = 3 m or y = 4 m`.
+pub(crate) fn has_alternatives(text: &str) -> bool {
+    text.split_whitespace().any(|word| word == "or")
 }
 
 /// The length of the word with which a text begins and that says where a value holds, `at x = 0`.

@@ -13,9 +13,9 @@ use super::signs::{is_digit, is_of_name};
 use super::stated::Stated;
 use super::words::{CONCLUDING, REMARKS};
 use super::{
-    Chain, Lexicon, Manner, Phrase, Typed, TypedError, Wording, again, arguments, both_signs,
-    components, counts, distance, entry_units, equated, equations, free_letters, layout, list,
-    matrix_form, ranks, related, relation, sides,
+    Chain, Lexicon, Manner, Phrase, Typed, TypedError, Wording, again, answering, arguments,
+    both_signs, components, counts, distance, entry_units, equated, equations, free_letters,
+    layout, list, matrix_form, ranks, related, relation, sides,
 };
 use vibank_formula::expr::{Expr, Kind, Name};
 use vibank_formula::unit::Unit;
@@ -203,6 +203,11 @@ impl<'t> Passage<'t> {
     pub fn equations(self) -> Vec<Self> {
         let places = equations::equations(self.0).into_iter();
         places.map(|place| self.part(place)).collect()
+    }
+
+    /// Whether a word leaves a choice between what it joins, `z = 0 or x = l`.
+    pub fn has_alternatives(self) -> bool {
+        answering::has_alternatives(self.0)
     }
 
     /// The equations, one a row, that an equation of matrices and vectors is.

@@ -61,6 +61,10 @@ pub(crate) fn defined(
     response: Passage<'_>,
     defining: Defining,
 ) -> Option<Vec<Equation>> {
+    // Equations that hold together are no alternatives: `z = 0 or x² + y² = l²`.
+    if setup.key.len() > 1 && response.has_alternatives() {
+        return None;
+    }
     let chains = response
         .defined_chains(&setup.lexicon, Manner::REAL, defining)?
         .ok()?;
