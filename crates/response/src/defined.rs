@@ -75,7 +75,9 @@ pub(crate) struct Letter {
 pub(crate) enum Said {
     /// What a letter is.
     Letter(Definition),
-    /// In words what a letter means, or its value.
+    /// Which value a letter of the question has.
+    Value(Definition),
+    /// In words what a letter means.
     Nothing,
     /// More.
     Equation,
@@ -116,15 +118,13 @@ pub(crate) fn said(text: &str, statement: Span, lexicon: &Lexicon, may_be_produc
         }
         (None, _) => return Said::Equation,
     };
-    let says_nothing = sides.iter().any(|side| {
-        let side = text[side.range()].trim();
-        sides::described(side) == Some("")
-            || letter.is_known && !lexicon.is_moving(&letter.name) && is_value(side)
-    });
-    if says_nothing {
+    let mut texts = sides.iter().map(|side| text[side.range()].trim());
+    if texts.clone().any(|side| sides::described(side) == Some("")) {
         return Said::Nothing;
     }
-    Said::Letter(Definition {
+    let is_datum = letter.is_known && !lexicon.is_moving(&letter.name);
+    let has_value = is_datum && texts.any(|side| is_value(side, lexicon));
+    let definition = Definition {
         name: letter.name,
         order: letter.order,
         is_square: letter.is_square,
@@ -133,7 +133,12 @@ pub(crate) fn said(text: &str, statement: Span, lexicon: &Lexicon, may_be_produc
         is_of_question: letter.is_of_question,
         values: sides.into_iter().map(|side| moved(side, start)).collect(),
         formula: None,
-    })
+    };
+    if has_value {
+        Said::Value(definition)
+    } else {
+        Said::Letter(definition)
+    }
 }
 
 /// The letter of which a multiple is said, `2λ = c/m`, `2ζω_n = c/m`, after what it is multiplied by.
@@ -201,7 +206,7 @@ pub(crate) fn defined_chains(
             Said::Letter(own) if may_redefine && own.order == 0 => {
                 coordinates.push((own, statement));
             }
-            Said::Nothing => {}
+            Said::Nothing | Said::Value(_) => {}
             Said::Letter(_) | Said::Equation => equations.push(statement),
         }
     }
@@ -343,7 +348,9 @@ impl Defined {
                     let range = place.range();
                     // Letters behind a number are its unit: `x0 = 0.0465 m`.
                     let own = Passage::of(&text[range.clone()]);
-                    let measured = begins_value(own.text()).then(|| measure(own)).flatten();
+                    let measured = begins_value(own.text(), &lexicon)
+                        .then(|| measure(own))
+                        .flatten();
                     measured.map_or_else(
                         || formula_at(text, range.start, range.end, &lexicon, manner),
                         |value| Ok(exact(value)),
@@ -376,14 +383,22 @@ impl Defined {
 }
 
 /// Whether a text is a number with a unit or without.
-fn is_value(text: &str) -> bool {
+fn is_value(text: &str, lexicon: &Lexicon) -> bool {
     let unit = text.trim_start_matches(|char| is_digit(char) || "-+.,*^ ".contains(char));
-    begins_value(text) && (unit.is_empty() || Unit::read(unit).is_ok())
+    begins_value(text, lexicon) && (unit.is_empty() || Unit::read(unit).is_ok())
 }
 
-/// Whether a text begins as a number does.
-fn begins_value(text: &str) -> bool {
-    text.starts_with(|first: char| first.is_ascii_digit() || "-.".contains(first))
+/// Whether a text begins as a number does. One over letters of the question, `1/(L C)`, is a formula.
+fn begins_value(text: &str, lexicon: &Lexicon) -> bool {
+    let divisor = text
+        .trim_start_matches(is_digit)
+        .trim_start()
+        .strip_prefix('/');
+    let is_formula = divisor.is_some_and(|divisor| {
+        !divisor.trim_start().starts_with(is_digit)
+            && super::formula(text, lexicon, Manner::default()).is_ok()
+    });
+    !is_formula && text.starts_with(|first: char| first.is_ascii_digit() || "-.".contains(first))
 }
 
 /// The letter that a text is, or its square.
@@ -429,7 +444,7 @@ fn redefined_constant(text: &str, sides: &[Span], lexicon: &Lexicon) -> Option<L
     let (first, others) = sides.split_first()?;
     let word = text[first.range()].trim();
     let typed = super::formula(word, lexicon, Manner::default()).ok()?;
-    let is_value = |side: &Span| is_value(text[side.range()].trim());
+    let is_value = |side: &Span| is_value(text[side.range()].trim(), lexicon);
     let is_other = matches!(typed.value.kind(), Kind::Constant(_)) && !others.iter().any(is_value);
     is_other.then(|| own_letter(word, lexicon, false))?
 }

@@ -4,6 +4,7 @@ use super::arguments::{is_at_value, without_arguments};
 use super::defined::{Defined, Definition, Said, letter, said};
 use super::differential::leibniz;
 use super::letters::{combining, is_dotted};
+use super::measured::{self, Measured};
 use super::sides::{begins_with_function, is_word, last_side};
 use super::signs::is_apostrophe;
 use super::statements::{label, moved, statements};
@@ -11,13 +12,16 @@ use super::{Lexicon, Manner, Passage, Trouble, Typed, TypedError, formula_at, si
 use vibank_formula::expr::Expr;
 use vibank_source::Span;
 
+/// What reads a value with its unit.
+type Measure<'t> = &'t dyn Fn(Passage<'_>) -> Option<Expr>;
+
 /// The statements of a response: the one that answers, and the others.
 #[derive(Clone)]
 pub struct Stated<'t> {
     text: &'t str,
     main: Span,
     others: Vec<Span>,
-    measure: &'t dyn Fn(Passage<'_>) -> Option<Expr>,
+    measure: Option<Measure<'t>>,
 }
 
 impl<'t> Stated<'t> {
@@ -36,7 +40,7 @@ impl<'t> Stated<'t> {
             text,
             main,
             others: Vec::new(),
-            measure: &|_| None,
+            measure: None,
         };
         let [first, .., last] = all[..] else {
             return Ok(single(all.first().copied().unwrap_or_default()));
@@ -94,10 +98,14 @@ impl<'t> Stated<'t> {
         })
     }
 
-    /// The same where letters may have values with units, which this reads.
+    /// The same where letters, those of the question among them, have the values that the others say, with units, which
+    /// this reads.
     #[must_use]
-    pub fn measured_by(self, measure: &'t dyn Fn(Passage<'_>) -> Option<Expr>) -> Self {
-        Self { measure, ..self }
+    pub fn measured_by(self, measure: Measure<'t>) -> Self {
+        Self {
+            measure: Some(measure),
+            ..self
+        }
     }
 
     /// What stands before the equals sign of the statement that counts.
@@ -123,7 +131,12 @@ impl<'t> Stated<'t> {
 
     /// Whether there is more than one statement.
     pub fn has_others(&self) -> bool {
-        !self.others.is_empty()
+        self.count_of_others() > 0
+    }
+
+    /// How many statements there are beside the one that counts.
+    pub fn count_of_others(&self) -> usize {
+        self.others.len()
     }
 
     /// The formula that its symbol is said to be, its other letters as they are defined.
@@ -135,6 +148,23 @@ impl<'t> Stated<'t> {
         let sides = self.sides(lexicon)?;
         let last = sides.last().copied().unwrap_or(self.main);
         self.side(last, lexicon, manner)
+    }
+
+    /// The function of numbers with units in it that its symbol is said to be, its other letters as they are defined.
+    ///
+    /// # Errors
+    ///
+    /// What cannot be read, or that no unit stands in it.
+    pub fn measured(&self, lexicon: &Lexicon) -> Result<Typed<Measured>, TypedError> {
+        let side = self.sides(lexicon)?.pop().unwrap_or(self.main);
+        let defined = self.defined(self.definitions(lexicon), lexicon, Manner::default());
+        let typed = measured::measured(&self.text[side.range()], &defined.lexicon, false)?;
+        let mut all = Vec::new();
+        for Measured { formula, unit } in [typed.value].into_iter().chain(typed.others) {
+            let formulas = defined.readings(std::iter::once(formula))?.into_iter();
+            all.extend(formulas.map(|formula| Measured { formula, unit }));
+        }
+        first_of(all, side)
     }
 
     /// The other sides of the statement that counts, and those of statements of the same symbol, that can be read.
@@ -230,16 +260,15 @@ impl<'t> Stated<'t> {
         if definitions.is_empty() {
             return read(lexicon);
         }
-        let defined = Defined::measured(self.text, definitions, lexicon, manner, self.measure);
+        let defined = self.defined(definitions, lexicon, manner);
         let typed = read(&defined.lexicon)?;
         let all = [typed.value].into_iter().chain(typed.others);
-        let mut readings = defined.readings(all)?.into_iter();
-        let missing = TypedError::new(Trouble::Missing, place.start, place.end);
-        let value = readings.next().ok_or(missing)?;
-        Ok(Typed {
-            value,
-            others: readings.collect(),
-        })
+        first_of(defined.readings(all)?, side)
+    }
+
+    fn defined(&self, definitions: Vec<Definition>, lexicon: &Lexicon, manner: Manner) -> Defined {
+        let measure = self.measure.unwrap_or(&|_| None);
+        Defined::measured(self.text, definitions, lexicon, manner, measure)
     }
 
     /// What the other statements say that letters are.
@@ -253,6 +282,11 @@ impl<'t> Stated<'t> {
             .map(|other| said(self.text, *other, lexicon, false));
         let found = said.filter_map(|said| match said {
             Said::Letter(definition) => Some(definition),
+            // The response says what the letter is, be it otherwise than the question.
+            Said::Value(definition) => self.measure.map(|_| Definition {
+                is_of_question: false,
+                ..definition
+            }),
             Said::Equation | Said::Nothing => None,
         });
         let own = own.map(|own| own.name);
@@ -260,6 +294,16 @@ impl<'t> Stated<'t> {
             .filter(|said| own.as_ref() != Some(&said.name))
             .collect()
     }
+}
+
+/// The readings of a side, the first one before the others.
+fn first_of<T>(readings: Vec<T>, side: Span) -> Result<Typed<T>, TypedError> {
+    let mut readings = readings.into_iter();
+    let missing = TypedError::new(Trouble::Missing, side.range().start, side.range().end);
+    Ok(Typed {
+        value: readings.next().ok_or(missing)?,
+        others: readings.collect(),
+    })
 }
 
 /// Whether a label is one letter, and not a function of one, `tanθ`.

@@ -82,9 +82,25 @@ impl Labels {
             sides.is_some_and(|(left, _)| matches!(self.side(left), Ok(Side::Own)))
         });
         match own.collect::<Vec<_>>()[..] {
-            [one] => Ok(one),
+            // `q0 cos(ω0 t); ω0 = …` says what its letter is.
+            [one] if !self.uses_another(one, response) => Ok(one),
             _ => Err(Why::OneFunction(self.asked.clone()).into()),
         }
+    }
+
+    /// Whether a letter stands in a statement of which another one says what it is.
+    fn uses_another(&self, own: Passage<'_>, response: Passage<'_>) -> bool {
+        let read = |side: Passage<'_>| Some(side.formula(&self.lexicon, Manner::REAL).ok()?.value);
+        let function = own.equated().and_then(|(_, function)| read(function));
+        let names = function
+            .map(|function| function.names())
+            .unwrap_or_default();
+        let mut others = response.lines().into_iter().filter_map(Passage::equated);
+        others.any(|(left, _)| {
+            let other = read(left);
+            let other = other.as_ref().map(Expr::kind);
+            matches!(other, Some(Kind::Name(name)) if names.uses(name))
+        })
     }
 
     /// What is after the last equals sign, and the other forms before it.

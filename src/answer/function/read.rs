@@ -1,5 +1,7 @@
 //! Reads a function: with numbers in SI units, with units, or in letters.
 
+use std::cell::Cell;
+
 use super::marker::{Prepared, Response};
 use super::slip::without_waves;
 use crate::answer::numeric::quantity;
@@ -9,7 +11,7 @@ use crate::expr::{Expr, Function, Kind};
 use crate::math::Math;
 use crate::numerics::Rational;
 use crate::response::{
-    Folded, FunctionPiece, Lexicon, Manner, Measured, Passage, Reworded, Stated, Trouble, Typed,
+    Folded, FunctionPiece, Lexicon, Manner, Measured, Passage, Reworded, Trouble, Typed,
     TypedError, ValueTrouble,
 };
 use crate::unit::{DecimalMark, Unit};
@@ -21,20 +23,40 @@ pub(crate) fn read(key: &Prepared<'_>, response: Passage<'_>) -> Result<Response
 
 /// The function of a response whose other statements say what its letters are: `A cos(5 t + φ), A = 0.2, φ = 1.3`.
 fn defined(key: &Prepared<'_>, response: Passage<'_>) -> Option<Response> {
+    /// More letters than anybody defines: each is read in each of the ways.
+    const MAX_OTHERS: usize = 24;
     let setup = &key.setup;
+    let has_unit = Cell::new(false);
     let measure = |value: Passage<'_>| {
         let quantity = quantity(value, DecimalMark::Point).ok()?;
+        has_unit.set(has_unit.get() || Some(quantity.unit.dimension()) == setup.kind.dimension());
         Rational::from_decimal(&typed_number(quantity.si()))
             .map(|si| Expr::derived(Kind::Number(si)))
     };
     let stated = response
         .stated(|label| setup.labels.is_own(label))
         .ok()
-        .filter(Stated::has_others)?
+        .filter(|stated| (1..=MAX_OTHERS).contains(&stated.count_of_others()))?
         .measured_by(&measure);
-    let typed = stated.formula(&setup.lexicon, Manner::REAL).ok()?;
-    let read = bare(key, of_right_dimension(key, typed));
-    let forms = stated.other_forms(&setup.lexicon, Manner::REAL).into_iter();
+    let formula = |lexicon: &Lexicon| {
+        let typed = stated.formula(lexicon, Manner::REAL).ok()?;
+        let mut read = bare(key, of_right_dimension(key, typed));
+        if has_unit.get() {
+            // Then the others are in SI units.
+            read.units.truncate(1);
+            read.values.truncate(1);
+        }
+        Some(read)
+    };
+    let measured = |lexicon| of_measured(key, setup.unit?, stated.measured(lexicon).ok()?).ok();
+    // What the response says of all its letters counts, be it otherwise than the question.
+    let numbers = &setup.of_numbers;
+    let read = formula(numbers).or_else(|| measured(numbers));
+    let (read, lexicon) = match read {
+        Some(read) => (read, numbers),
+        None => (formula(&setup.lexicon)?, &setup.lexicon),
+    };
+    let forms = stated.other_forms(lexicon, Manner::REAL).into_iter();
     let mut values = forms.map(|form| key.values_of(&of_right_dimension(key, form)));
     let is_it = !adds_angle(key, &read.expr)
         && values.all(|own| own.is_some_and(|values| key.fits(&read.values, &values)));
@@ -284,16 +306,26 @@ fn with_unit(key: &Prepared<'_>, typed: Passage<'_>) -> Option<Result<Response, 
             return has_no_common.then(|| Err(Why::UnitOfTerms.into()));
         }
     };
+    Some(of_measured(key, own, read))
+}
+
+/// A function of numbers with units, the unit of which has to be like the one that is asked.
+fn of_measured(
+    key: &Prepared<'_>,
+    own: Unit,
+    read: Typed<Measured>,
+) -> Result<Response, Unreadable> {
+    let setup = &key.setup;
     let is_own = |unit: &Unit| unit.dimension() == own.dimension();
     let Measured { formula, unit } = read.fitting(|own| own.unit.as_ref().is_none_or(is_own));
     let Some(unit) = unit else {
-        return Some(Ok(bare(key, formula)));
+        return Ok(bare(key, formula));
     };
     if !is_own(&unit) {
-        return Some(Err(Why::UnitOfFunction(own).into()));
+        return Err(Why::UnitOfFunction(own).into());
     }
     let units = vec![unit];
-    Some(Ok(Response {
+    Ok(Response {
         reading: Reading {
             math: Math::row([
                 formula.typeset(&setup.lexicon),
@@ -308,7 +340,7 @@ fn with_unit(key: &Prepared<'_>, typed: Passage<'_>) -> Option<Result<Response, 
         expr: formula,
         others: Vec::new(),
         contradiction: None,
-    }))
+    })
 }
 
 /// A function in letters with units in its arguments, `x0 e^(-0.75 s⁻¹ t)`.
