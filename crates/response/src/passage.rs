@@ -205,6 +205,12 @@ impl<'t> Passage<'t> {
         places.map(|place| self.part(place)).collect()
     }
 
+    /// Its equations that hold under conditions, each with its own, `… = -F for x' > 0; … = F for x' < 0`; none where one has
+    /// no condition.
+    pub fn cases(self) -> Option<Vec<Reworded>> {
+        pieces::cases(self.0)
+    }
+
     /// Whether a word leaves a choice between what it joins, `z = 0 or x = l`.
     pub fn has_alternatives(self) -> bool {
         answering::has_alternatives(self.0)

@@ -1,7 +1,8 @@
-//! The pieces of a function: the times for which it is meant to hold, and other functions for other times.
+//! The pieces of a function: the times for which it is meant to hold, and other functions for other times; likewise
+//! equations and their conditions.
 
-use super::Passage;
 use super::list::cut;
+use super::{Passage, Reworded, equations};
 use vibank_source::Span;
 
 /// A function with the times for which it holds.
@@ -40,6 +41,50 @@ pub(crate) fn function_pieces(response: &str) -> Vec<FunctionPiece<'_>> {
     pieces
 }
 
+/// Equations that hold under conditions, each with its own, `… = -F for x' > 0; … = F for x' < 0`, or as the right sides of
+/// one, `… = { -F if x' > 0; F if x' < 0 }`; none where one has no condition.
+pub(crate) fn cases(text: &str) -> Option<Vec<Reworded>> {
+    let braced = text.trim_end().strip_suffix('}');
+    let mut opens = ["= {", "={"].iter();
+    let braced = braced.and_then(|own| opens.find_map(|open| own.split_once(open)));
+    let bare = braced.map(|(left, cases)| format!("{left}= {cases}"));
+    let text = bare.as_deref().unwrap_or(text);
+    let is_condition = |said: &str| compares(said) && !said.contains('=');
+    let (mut found, mut next): (Vec<(&str, Option<&str>)>, _) = (Vec::new(), None);
+    for place in equations::equations(text) {
+        let own = text[place.range()].trim();
+        if is_condition(own) && piece(own).condition.is_none() {
+            match found.last_mut() {
+                Some((_, condition @ None)) => *condition = Some(own),
+                _ => next = Some(own),
+            }
+            continue;
+        }
+        let mut joints = [":", " then "].iter();
+        let before = joints.find_map(|joint| own.split_once(joint));
+        let case = match before.filter(|(condition, _)| is_condition(condition)) {
+            Some((condition, equation)) => (equation, Some(condition)),
+            None => {
+                let piece = piece(own);
+                let behind = piece.condition.map(Passage::text);
+                (piece.formula.text(), behind.or(next.take()))
+            }
+        };
+        found.push(case);
+    }
+    let (left, _) = found.first()?.0.split_once('=')?;
+    let cases = found.into_iter().map(|(own, condition)| {
+        let equation = if own.contains('=') {
+            own.to_owned()
+        } else {
+            format!("{left} = {own}")
+        };
+        let condition = without_if(Passage::of(condition?)).text().to_owned();
+        Some(Reworded::of(equation).under(vec![condition]))
+    });
+    cases.collect()
+}
+
 /// `if t < 1 then … otherwise …`.
 fn conditional(text: &str) -> Option<Vec<FunctionPiece<'_>>> {
     let (condition, rest) = text.trim().strip_prefix("if ")?.split_once(" then ")?;
@@ -59,7 +104,6 @@ fn conditional(text: &str) -> Option<Vec<FunctionPiece<'_>>> {
 /// A function and the times after it: `…, t >= 0` or `… for t > 0`.
 fn piece(text: &str) -> FunctionPiece<'_> {
     let text = text.trim().trim_end_matches([',', '.']);
-    let is_condition = |text: &str| text.contains(['<', '>', '≤', '≥']);
     // The comma of `atan2(y, x)` parts nothing.
     let is_outside = |at: usize| {
         let count = |signs: &[char]| text[..at].matches(signs).count();
@@ -71,7 +115,7 @@ fn piece(text: &str) -> FunctionPiece<'_> {
         .chain(bracket)
         .filter_map(|sign| Some((text.rfind(sign)?, sign)));
     let cut = cuts
-        .filter(|(at, _)| is_condition(&text[*at..]) && is_outside(*at))
+        .filter(|(at, _)| compares(&text[*at..]) && is_outside(*at))
         .min();
     match cut {
         Some((at, sign)) => {
@@ -88,8 +132,15 @@ fn piece(text: &str) -> FunctionPiece<'_> {
     }
 }
 
+/// Whether a sign says which of two is larger.
+fn compares(text: &str) -> bool {
+    text.contains(['<', '>', '≤', '≥'])
+}
+
 /// A condition without the word that introduces it.
 pub(crate) fn without_if(condition: Passage<'_>) -> Passage<'_> {
     let text = condition.text();
-    Passage::of(text.trim_start_matches("for ").trim_start_matches("if "))
+    let mut words = ["for ", "if ", "when ", "where ", "while "].iter();
+    let bare = words.find_map(|word| text.strip_prefix(word));
+    Passage::of(bare.unwrap_or(text))
 }

@@ -2,9 +2,11 @@
 
 use super::Setup;
 use crate::answer::{Unreadable, Why};
-use crate::expr::{Equation, Expr, Relation, Substitution};
+use crate::expr::{Equation, Expr, Kind, Relation, Substitution};
 use crate::math::symbol;
-use crate::response::{Chain, Defining, Lexicon, Manner, Passage, Trouble, Typed, unit_of_zero};
+use crate::response::{
+    Chain, Defining, Lexicon, Manner, Passage, Reworded, Trouble, Typed, unit_of_zero,
+};
 
 /// The equations that a response is; where others say what letters mean that the question does not have, with
 /// these in their place.
@@ -20,6 +22,7 @@ pub(crate) fn equations(setup: &Setup, response: Passage<'_>) -> Result<Vec<Equa
         let rows = response.equations_of_matrices();
         rows.and_then(|rows| alone(setup, lexicon, rows.passage(), Manner::REAL).ok())
             .or_else(|| (!is_beside).then(|| defined(setup, response, Defining::Statements))?)
+            .or_else(|| by_direction(setup, response).map(|own| vec![own]))
             .or_else(|| alone(setup, lexicon, response, Manner::REAL.in_any_case()).ok())
             .ok_or(why)
     })
@@ -73,6 +76,81 @@ pub(crate) fn defined(
         found.extend(of_chain(&fitting(setup, chain)).ok()?);
     }
     (!found.is_empty()).then_some(found)
+}
+
+/// The equation of a motion that has one for either direction, `m x'' = -F for x' > 0, m x'' = F for x' < 0`.
+fn by_direction(setup: &Setup, response: Passage<'_>) -> Option<Equation> {
+    let cases = response.cases()?;
+    let [one, other] = &cases[..] else {
+        return None;
+    };
+    let read = |case: &Reworded| {
+        let chain = chain_alone(setup, case.passage())?;
+        let [equation] = <[Equation; 1]>::try_from(of_chain(&chain).ok()?).ok()?;
+        let (rate, is_positive) = direction(setup, case.conditions().next()?)?;
+        Some((rate, is_positive, equation))
+    };
+    let ((rate, is_positive, one), (other_rate, is_other_positive, other)) =
+        (read(one)?, read(other)?);
+    if rate != other_rate || is_positive == is_other_positive {
+        return None;
+    }
+    let (forth, back) = if is_positive {
+        (one, other)
+    } else {
+        (other, one)
+    };
+    let is_forth = Kind::Compare(vec![rate, Expr::number(0)], vec![Relation::Greater]);
+    let is_forth = Expr::derived(is_forth);
+    let either = |forth: Expr, back: Expr| {
+        if forth == back {
+            return forth;
+        }
+        Expr::derived(Kind::If(is_forth.clone(), forth, back))
+    };
+    let has_one_left = forth.left == back.left;
+    let equation = Equation {
+        left: either(forth.left, back.left),
+        right: either(forth.right, back.right),
+    };
+    // One of the two may be divided by the mass.
+    let fits = has_one_left || equation.check(&setup.meaning).is_ok();
+    fits.then_some(equation)
+}
+
+/// The rate that a condition compares with zero, and whether it is to be positive.
+fn direction(setup: &Setup, condition: Passage<'_>) -> Option<(Expr, bool)> {
+    let Chain { sides, relations } = chain_alone(setup, condition)?;
+    let ([left, right], [relation]) = (&sides[..], &relations[..]) else {
+        return None;
+    };
+    let is_greater = match relation {
+        Relation::Greater | Relation::GreaterOrEqual => true,
+        Relation::Less | Relation::LessOrEqual => false,
+        Relation::Equal | Relation::NotEqual => return None,
+    };
+    // `0 < x'`
+    let (rate, zero, is_positive) = if left.is_zero() {
+        (right, left, !is_greater)
+    } else {
+        (left, right, is_greater)
+    };
+    let is_rate = matches!(rate.kind(), Kind::Prime(of, 1)
+        if matches!(of.kind(), Kind::Name(name) if setup.unknowns.contains(name)));
+    (is_rate && zero.is_zero()).then(|| (rate.clone(), is_positive))
+}
+
+/// The only chain of a response, with the letters of the field for rates.
+fn chain_alone(setup: &Setup, response: Passage<'_>) -> Option<Chain> {
+    let lexicon = &setup.lexicon;
+    let chain = match response.defined_chains(lexicon, Manner::REAL, Defining::Statements) {
+        Some(chains) => {
+            let [chain] = <[Typed<Chain>; 1]>::try_from(chains.ok()?).ok()?;
+            chain
+        }
+        None => response.chain(lexicon, Manner::REAL).ok()?,
+    };
+    Some(fitting(setup, chain))
 }
 
 /// The reading of a chain that has the dimensions of equations, if one has.
