@@ -212,7 +212,13 @@ impl Marker for Prepared {
         let written = || written(&equations);
         let marking = settle_by_rule(self.doubt, first, written, readings.map(candidate));
         if marking.verdict == Verdict::Right {
-            return marking;
+            // Of alternatives each has to be right alone.
+            let not_right = |own: &Equation| {
+                let alone = self.judged(vec![own.clone()], others);
+                Some(alone).filter(|alone| alone.verdict != Verdict::Right)
+            };
+            let mut alternatives = equations.iter().filter(|_| response.has_alternatives());
+            return alternatives.find_map(not_right).unwrap_or(marking);
         }
         if marking.credit < Credit::FULL && self.is_rounded(&equations) {
             let all = equations.iter().map(Equation::difference);
