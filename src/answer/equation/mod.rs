@@ -3,8 +3,10 @@
 //! The student types `m x'' + c x' + k x = F0 cos(Ωt)` with `x'`, `xdot`, `\dot{x}`, `dx/dt`. Any side, any
 //! order of terms and any common factor made of data is right; several equations, joined by semicolons,
 //! are right if they follow from the key and the key from them. Where several parts of an item ask for one
-//! equation each of one system, responses that make up the same equations together are right, too. What is
-//! wrong is named term by term: a sign, a term that is missing, a datum that a coefficient misses.
+//! equation each of one system, responses that make up the same equations together are right, too.
+//! Two equations, one for either direction of a motion, `… = -F for x' > 0; … = F for x' < 0`, are one; of equations
+//! joined by `or` each has to be right alone. What is wrong is named term by term: a sign, a term that is missing, a
+//! datum that a coefficient misses.
 //!
 //! ```toml
 //! [[part]]

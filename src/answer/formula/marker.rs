@@ -4,6 +4,8 @@ use std::sync::Arc;
 
 use super::Setup;
 use super::slip::slip;
+use super::solved::solved;
+use super::values::has_values;
 use crate::answer::equality::{Comparable, Comparison, Condition, Points};
 use crate::answer::recalled::Recalled;
 use crate::answer::rounded::{rounding, settle_rounded, with_fractions};
@@ -12,7 +14,7 @@ use crate::answer::{
     Answered, Close, Credit, Doubt, Echo, Key, Marker, Marking, Misfit, Nature, Note, Reading,
     Reason, Remark, Slip, Trial, Unreadable, Verdict, Why,
 };
-use crate::expr::{Expr, Field, Function, Kind, Name, Operator, Substitution};
+use crate::expr::{Expr, Field, Substitution};
 use crate::math::symbol;
 use crate::numerics::SortedMap;
 use crate::response::{
@@ -228,7 +230,7 @@ impl Prepared {
             return Marking::mistake(reading, mistake.number, mistake.credit);
         }
         if let Some(misfit) = misfit {
-            if self.has_values(expr, &typed) {
+            if has_values(self, expr, &typed) {
                 return Marking::unreadable(Why::ValuesForLetters);
             }
             return Marking::wrong(reading, Remark::from(misfit.clone()));
@@ -238,29 +240,6 @@ impl Prepared {
         }
         let slip = slip(&comparison, expr, setup.kind.dimension());
         Marking::wrong(reading, slip.map(Remark::from))
-    }
-
-    /// Whether values of the sheet stand in a formula where the key has letters, `0.8 cos θ` for `ℓ cos θ`.
-    fn has_values(&self, expr: &Expr, typed: &Comparable) -> bool {
-        // Values are rounded to three figures.
-        const ROUNDING: f64 = 5e-3;
-        let meaning = &self.setup.meaning;
-        // One as a value is not written: a letter that is missing is missing.
-        let is_written = |letter: &Name| {
-            let place = meaning.place(letter);
-            place.and_then(|place| self.data[place]) != Some(1.0)
-        };
-        let (typed_letters, letters) = (expr.names(), self.setup.shown.names());
-        let mut missing = letters
-            .free
-            .iter()
-            .filter(|own| !typed_letters.uses(&own.name));
-        let has_no_others = typed_letters.free.iter().all(|own| letters.uses(&own.name));
-        has_no_others
-            && missing.any(|own| is_written(&own.name))
-            && self
-                .key
-                .is_near(typed, meaning, self.data.clone(), ROUNDING)
     }
 
     fn comparable(&self, expr: &Expr) -> Option<Comparable> {
@@ -501,29 +480,6 @@ impl Prepared {
     fn is_number(&self, response: Passage<'_>) -> bool {
         crate::answer::numeric::quantity(response, self.mark)
             .is_ok_and(|quantity| Some(quantity.unit.dimension()) == self.setup.kind.dimension())
-    }
-}
-
-/// What is asked by an equation whose left side is a multiple of it by a number, of its square or of its reciprocal.
-///
-/// Of two roots the one that is not negative: a key of either sign is neither.
-fn solved(left: &Expr, right: Expr, is_asked: &dyn Fn(&Expr) -> bool) -> Option<Expr> {
-    let is_number = |side: &Expr| side.names().free.is_empty();
-    match left.kind() {
-        _ if is_asked(left) => Some(right),
-        Kind::Binary(Operator::Multiply, factor, rest) if is_number(factor) => {
-            solved(rest, right / factor.clone(), is_asked)
-        }
-        Kind::Binary(Operator::Divide, rest, divisor) if is_number(divisor) => {
-            solved(rest, right * divisor.clone(), is_asked)
-        }
-        Kind::Binary(Operator::Divide, above, rest) if is_number(above) => {
-            solved(rest, above.clone() / right, is_asked)
-        }
-        Kind::Binary(Operator::Power, base, exponent) if *exponent == Expr::number(2) => {
-            solved(base, Expr::call(Function::Sqrt, [right]), is_asked)
-        }
-        _ => None,
     }
 }
 

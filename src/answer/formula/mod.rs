@@ -18,6 +18,8 @@
 
 mod marker;
 mod slip;
+mod solved;
+mod values;
 
 use std::sync::{Arc, OnceLock};
 

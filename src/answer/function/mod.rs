@@ -1,7 +1,8 @@
 //! `function`: a function of time, or of another variable, over a span.
 //!
 //! The student types `0.632 exp(-0.0125 t) sin(15.8 t)` or the same with symbols, in any form: sines or
-//! cosines, any sign convention, phases in radians. Both functions are compared over the span, which is
+//! cosines, any sign convention, phases in radians. What is said beside it of its letters, `φ = 28.07°`, counts, be it
+//! otherwise than in the question. Both functions are compared over the span, which is
 //! three periods unless stated; the tolerance is a share of the largest value. Where none is stated, each
 //! time has its own, from rounding every intermediate result to the working figures:
 //!
