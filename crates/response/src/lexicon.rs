@@ -21,6 +21,8 @@ pub struct Lexicon {
     words: OnceLock<Words>,
     /// With the names in the other case; only where words cannot be read.
     in_any_case: OnceLock<Words>,
+    /// How the names that may not be used are spelt, by themselves and as they are printed; asked for each statement.
+    forbidden: OnceLock<Vec<(String, Name)>>,
 }
 
 /// A name of the item.
@@ -83,21 +85,29 @@ impl Lexicon {
             moving: self.moving.clone(),
             words: OnceLock::new(),
             in_any_case: OnceLock::new(),
+            forbidden: OnceLock::new(),
         }
     }
 
     /// The name of this spelling that may not be used, by itself or as it is printed.
     pub(crate) fn forbidden(&self, spelling: &str) -> Option<&Name> {
-        let mut forbidden = self.entries.iter().filter_map(|entry| match entry {
-            LexiconEntry::Forbidden(name) => Some(name),
-            LexiconEntry::Allowed(..) => None,
-        });
-        forbidden.find(|name| {
+        let spellings = self.forbidden.get_or_init(|| self.forbidden_spellings());
+        let found = spellings.iter().find(|(own, _)| own == spelling);
+        found.map(|(_, name)| name)
+    }
+
+    fn forbidden_spellings(&self) -> Vec<(String, Name)> {
+        let mut spellings = Vec::new();
+        for entry in &self.entries {
+            let LexiconEntry::Forbidden(name) = entry else {
+                continue;
+            };
             let printed = self.symbols.get(name).map(|own| own.plain());
-            let spellings = [Some(name.as_str()), printed.as_deref()];
-            let mut spellings = spellings.into_iter().flatten();
-            spellings.any(|own| Letters::spelling(own).as_deref() == Some(spelling))
-        })
+            let texts = [Some(name.as_str()), printed.as_deref()].into_iter();
+            let own = texts.flatten().filter_map(Letters::spelling);
+            spellings.extend(own.map(|own| (own, name.clone())));
+        }
+        spellings
     }
 
     /// The names that move with time.
@@ -153,6 +163,7 @@ impl Lexicon {
         self.entries.push(entry);
         self.words.take();
         self.in_any_case.take();
+        self.forbidden.take();
     }
 
     fn words(&self) -> &Words {
@@ -168,6 +179,7 @@ impl Lexicon {
     /// Another symbol for a name that is there.
     pub fn set_symbol(&mut self, name: &Name, math: Arc<Math>) {
         self.symbols.insert(name.clone(), math);
+        self.forbidden.take();
     }
 
     /// A name as it is printed, in signs that can be typed: `k2` for k₂.
