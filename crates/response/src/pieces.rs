@@ -44,13 +44,34 @@ pub(crate) fn function_pieces(response: &str) -> Vec<FunctionPiece<'_>> {
 /// Equations that hold under conditions, each with its own, `… = -F for x' > 0; … = F for x' < 0`, or as the right sides of
 /// one, `… = { -F if x' > 0; F if x' < 0 }`; none where one has no condition.
 pub(crate) fn cases(text: &str) -> Option<Vec<Reworded>> {
-    let braced = text.trim_end().strip_suffix('}');
+    let bare = without_braces(text);
+    let found = equations_with_conditions(bare.as_deref().unwrap_or(text));
+    let (left, _) = found.first()?.0.split_once('=')?;
+    let cases = found.iter().map(|(own, condition)| {
+        let equation = if own.contains('=') {
+            (*own).to_owned()
+        } else {
+            format!("{left} = {own}")
+        };
+        let condition = without_if(Passage::of((*condition)?)).text().to_owned();
+        Some(Reworded::of(equation).under(vec![condition]))
+    });
+    cases.collect()
+}
+
+/// An equation without the braces around the cases of its right side.
+fn without_braces(text: &str) -> Option<String> {
+    let text = text.trim_end().strip_suffix('}')?;
     let mut opens = ["= {", "={"].iter();
-    let braced = braced.and_then(|own| opens.find_map(|open| own.split_once(open)));
-    let bare = braced.map(|(left, cases)| format!("{left}= {cases}"));
-    let text = bare.as_deref().unwrap_or(text);
+    let (left, cases) = opens.find_map(|open| text.split_once(open))?;
+    Some(format!("{left}= {cases}"))
+}
+
+/// Equations or their right sides, each with the condition that stands before or behind it, or beside it by itself.
+fn equations_with_conditions(text: &str) -> Vec<(&str, Option<&str>)> {
     let is_condition = |said: &str| compares(said) && !said.contains('=');
-    let (mut found, mut next): (Vec<(&str, Option<&str>)>, _) = (Vec::new(), None);
+    let mut found: Vec<(&str, Option<&str>)> = Vec::new();
+    let mut next = None;
     for place in equations::equations(text) {
         let own = text[place.range()].trim();
         if is_condition(own) && piece(own).condition.is_none() {
@@ -62,27 +83,17 @@ pub(crate) fn cases(text: &str) -> Option<Vec<Reworded>> {
         }
         let mut joints = [":", " then "].iter();
         let before = joints.find_map(|joint| own.split_once(joint));
-        let case = match before.filter(|(condition, _)| is_condition(condition)) {
-            Some((condition, equation)) => (equation, Some(condition)),
-            None => {
+        let before = before.filter(|(condition, _)| is_condition(condition));
+        found.push(before.map_or_else(
+            || {
                 let piece = piece(own);
                 let behind = piece.condition.map(Passage::text);
                 (piece.formula.text(), behind.or(next.take()))
-            }
-        };
-        found.push(case);
+            },
+            |(condition, equation)| (equation, Some(condition)),
+        ));
     }
-    let (left, _) = found.first()?.0.split_once('=')?;
-    let cases = found.into_iter().map(|(own, condition)| {
-        let equation = if own.contains('=') {
-            own.to_owned()
-        } else {
-            format!("{left} = {own}")
-        };
-        let condition = without_if(Passage::of(condition?)).text().to_owned();
-        Some(Reworded::of(equation).under(vec![condition]))
-    });
-    cases.collect()
+    found
 }
 
 /// `if t < 1 then … otherwise …`.
